@@ -41,6 +41,7 @@ enricher-help.png                  enricher
 enricher-overview.png              dialogs
 enricher-plan.png                  enricher
 enricher-preview.png               enricher
+enricher-qualities.png             enricher
 enricher-ratings.png               dialogs
 enricher-schemas.png               enricher
 enricher-source.png                enricher
@@ -76,6 +77,7 @@ radiosity-lounge.jpg               run
 radiosity-office.jpg               run
 rehearsal-plan.svg                 rehearsal
 rehearsal-preview.jpg              rehearsal
+replication.png                    page
 sculptures.jpg                     run
 session-bipolar.png                session
 session-consent.png                session
@@ -91,7 +93,9 @@ story-kitchen.svg                  report
 story-room.jpg                     run
 study-plan.png                     study
 study-session.png                  study
+switch-fade.png                    run
 threshold-trial.png                window
+tour-polygons.svg                  run
 trashcan-versions.png              run
 web-study-list.png                 web
 web-study-phone.png                web
@@ -113,6 +117,7 @@ explain() {
     monado) echo 'by .ci/openxr with Monado; needs root, and the system that .ci/openxr setup makes' ;;
     rehearsal) echo 'by experiment check, and a window of a session of experiment preview' ;;
     report) echo 'a figure of experiment analyse, of simulated participants' ;;
+    page) echo 'a page that experiment replicate writes, in Chromium' ;;
   esac
 }
 
@@ -216,6 +221,24 @@ qualities() { # OUT
   labelled "$tmp/flat.png" 'shading: flat'
   convert "$tmp/full.png" "$tmp/quarter.png" "$tmp/flat.png" +append "$tmp/three.png"
   small "$tmp/three.png" "$1"
+}
+
+switching() { # OUT: at the begin, in the middle and at the end of a cross-fade, pixel by pixel
+  local pictures=() n=0 steps
+  for steps in '0.05,4.16,-0.246,-0.945' '0.3,4.17,-0.246,-0.92' '0.55,4.17,-0.246,-0.92'; do
+    {
+      printf 't,x,y,z,yaw,pitch,roll\n0,4.15,-0.246,-0.97,-158,-26,0\n'
+      [ $n -eq 0 ] || printf '0.1,4.17,-0.246,-0.92,-158,-26,0\n'
+      printf '%s,-158,-26,0\n' "$steps"
+    } >"$tmp/fade.csv"
+    screen 1280x1024 "$program" run scenes/trashcan.x3d --path "$tmp/fade.csv" --switch fade:500 \
+      --offscreen --mute --samples 0 --size 1024x768 --screenshot "$tmp/fade-$n.png" >/dev/null
+    convert "$tmp/fade-$n.png" -crop 120x140+505+357 +repage -filter point -resize 300% \
+      -bordercolor white -border 6 "$tmp/fade-$n.png"
+    pictures+=("$tmp/fade-$n.png")
+    n=$((n + 1))
+  done
+  convert "${pictures[@]}" +append -depth 8 "$1"
 }
 
 labelled() { # FILE WORDS: words below a picture
@@ -377,6 +400,13 @@ storyKitchen() { # OUT: a figure of the report in docs/story-researcher.md
   cp "$tmp/figures/kitchen-d_prime-all.svg" "$1"
 }
 
+replicationPage() { # OUT: the top of the page of docs/replication.md; needs Chromium
+  "$program" experiment replicate "$tmp/replication" --date 2026-01-15 >/dev/null
+  chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1200,1340 \
+    --screenshot="$tmp/replication.png" "file://$tmp/replication/index.html" 2>/dev/null
+  small "$tmp/replication.png" "$1" -resize 900x +dither -colors 128
+}
+
 webPage() { # OUT: the page of the apartment; needs Chromium, and what npm ci brings
   (cd web && PICTURE=$tmp/web.png npx vitest run --dir browser-test export-picture)
   small "$tmp/web.png" "$1" -resize 900x -colors 200
@@ -402,6 +432,7 @@ take() { # NAME HOW
       ;;
     radiosity-*) radiosity "${stem#*-}" "$to" ;;
     qualities.jpg) qualities "$to" ;;
+    switch-fade.png) switching "$to" ;;
     trashcan-versions.png) trashcan "$to" ;;
     sculptures.jpg)
       shot "$tmp/sculptures.png" 1400x654 docs/examples/sculptures.x3dv
@@ -418,6 +449,10 @@ take() { # NAME HOW
     hmd-check.png) stereo "$to" 1280x480 --hmd-check ;;
     dual.jpg) dual "$to" ;;
     head-log.svg) headlog "$to" ;;
+    replication.png) replicationPage "$to" ;;
+    tour-polygons.svg)
+      "$program" simulate scenes/apartment.x3d --path scenes/paths/apartment-tour.csv --chart "$to" >/dev/null
+      ;;
     overlay.png) overlay "$to" ;;
     operator.jpg) operator "$to" ;;
     rehearsal-plan.svg) rehearsalPlan "$to" ;;
@@ -441,7 +476,7 @@ take() { # NAME HOW
     enricher-cost.png) driven "$stem" "$to" 900x ;;
     enricher-compare.png) driven "$stem" "$to" 800x ;;
     enricher-handles.png) driven "$stem" "$to" 680x ;;
-    enricher-switch.png) driven "$stem" "$to" 438x ;;
+    enricher-qualities.png | enricher-switch.png) driven "$stem" "$to" 438x ;;
     enricher-*)
       if [ "$how" = dialogs ]; then
         fromTest org.selectiverenderer.enricher.robot.PicturesTest "${stem#*-}-light-200" "$to" 1100x

@@ -26,10 +26,12 @@ final class BackgroundSceneLoader implements AutoCloseable {
             scene.file(),
             scene.rendering(),
             scene.access(),
+            world -> world.instances().boxes().begin(),
             listener::problem,
             listener::happened,
             listener::printed);
     try {
+      walk.observeSwitches();
       listener.opened();
       return walk;
     } catch (IOException | RuntimeException | Error e) {

@@ -35,6 +35,14 @@ public interface RunListener {
   /** Reports an event of the time line. */
   void happened(TimelineEvent event);
 
+  /**
+   * Reports that a frame was stepped.
+   *
+   * @param t seconds since the start of the walkthrough
+   * @param polygons polygons of the whole scene with its current versions, visible or not
+   */
+  default void stepped(double t, long polygons) {}
+
   /** Returns the listener for the head log's samples of every frame, if any. */
   default Optional<HeadSampleListener> samples() {
     return Optional.empty();

@@ -55,6 +55,7 @@ final class SceneRun implements WorldController, AutoCloseable {
   private final BackgroundSceneLoader opening;
   private final SoundOutput sound;
   private final HeadsetRunState eyes;
+  private final RunListener listener;
   private State state = State.LOADING;
   private @Nullable RunningSceneState scene;
   private @Nullable IOException failure;
@@ -99,6 +100,7 @@ final class SceneRun implements WorldController, AutoCloseable {
       Optional<HeadsetConnection> headset,
       Stopwatch time) {
     this.settings = settings;
+    this.listener = listener;
     this.head = head;
     this.guide = guide;
     this.pace = pace;
@@ -238,6 +240,7 @@ final class SceneRun implements WorldController, AutoCloseable {
       for (double frame : live.clock().due(elapsed)) {
         head.log(seen()); // One of several frames that became due during a slow picture.
         live.walk().step(frame, live.motion());
+        listener.stepped(frame, live.walk().polygons());
         head.stepped(FrameTimestamp.now(frame, time));
       }
       over |= live.clock().over(elapsed);

@@ -103,7 +103,11 @@ public final class SceneRunner {
   public static RunResult simulated(RunSettings settings, RunListener listener)
       throws IOException, InterruptedException {
     return run(
-        settings, listener, new RunCancellation(), TimingMode.UNWATCHED, new NullFrameTarget());
+        settings,
+        listener,
+        new RunCancellation(),
+        TimingMode.UNWATCHED,
+        new NullFrameTarget(settings.display()));
   }
 
   private static RunResult run(
@@ -132,11 +136,21 @@ public final class SceneRunner {
 
   /** A frame target that steps the run without drawing, and needs no display. */
   private static final class NullFrameTarget implements FrameTarget {
+    private final DisplaySettings size;
+
+    /**
+     * @param size of the picture that would be drawn
+     */
+    NullFrameTarget(DisplaySettings size) {
+      this.size = size;
+    }
+
     @Override
     public LastPictures show(SceneRun run) throws IOException {
       run.awaitScene();
       do {
-        run.step();
+        run.step()
+            .ifPresent(world -> world.seenIn(size.width(), size.height(), Optional.empty()));
         run.submitted();
       } while (!run.finished());
       return LastPictures.NONE;

@@ -155,9 +155,10 @@ final class SessionRunProvider implements RunSequence.Runs {
                 step,
                 scene,
                 new SelectiveController.Settings(
-                    trial.settings().condition().orElse(Condition.SELECTIVE),
-                    lot() + trial.number(),
-                    trial.settings().choices()),
+                        trial.settings().condition().orElse(Condition.SELECTIVE),
+                        lot() + trial.number(),
+                        trial.settings().choices())
+                    .with(trial.settings().transition().orElse(study.transition())),
                 display(trial),
                 Optional.of(new HeadLogSettings(log))),
             listener,
@@ -264,7 +265,12 @@ final class SessionRunProvider implements RunSequence.Runs {
         step,
         scene,
         new SelectiveController.Settings(
-            session.group().map(StudyGroup::condition).orElse(Condition.HIGH), lot()),
+                session.group().map(StudyGroup::condition).orElse(Condition.HIGH), lot())
+            .with(
+                session
+                    .group()
+                    .flatMap(group -> group.settings().transition())
+                    .orElse(session.material().study().transition())),
         show.presentation().withIpd(session.ipd() / 1000),
         log);
   }

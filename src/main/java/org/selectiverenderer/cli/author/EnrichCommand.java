@@ -10,6 +10,7 @@ import org.selectiverenderer.authoring.headless.HeadlessEnrichment;
 import org.selectiverenderer.authoring.ratings.GazeProposal;
 import org.selectiverenderer.authoring.ratings.GazeProposalTable;
 import org.selectiverenderer.authoring.ratings.ViewedObjects;
+import org.selectiverenderer.authoring.ratings.RatingScale;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.cli.option.DryRunOption;
 import org.selectiverenderer.command.CliCommand;
@@ -76,6 +77,27 @@ public final class EnrichCommand extends CliCommand {
               + "columns object,schema,rating")
   private @Nullable Path ratings;
 
+  /** How ratings choose among versions, as the option spells it. */
+  private enum Scale {
+    bands(RatingScale.BANDS),
+    linear(RatingScale.LINEAR);
+
+    private final RatingScale scale;
+
+    Scale(RatingScale scale) {
+      this.scale = scale;
+    }
+  }
+
+  @Option(
+      names = "--rating-scale",
+      paramLabel = "KIND",
+      description =
+          "how ratings choose among the versions of an object: bands (the thesis's: up to 3 the"
+              + " first, from 4 the last) or linear (1 to 6 evenly over the degrees 0 to 1 of all"
+              + " versions) (default: bands)")
+  private @Nullable Scale scale;
+
   @Option(
       names = "--from-logs",
       paramLabel = "LOG",
@@ -109,6 +131,9 @@ public final class EnrichCommand extends CliCommand {
       }
       return window.open(Optional.ofNullable(scene), access.access());
     }
+    if (scale != null && ratings == null && logs.isEmpty()) {
+      throw CommandException.usage("--rating-scale needs --ratings or --from-logs");
+    }
     if (scene == null) {
       throw CommandException.usage("--apply, --ratings and --from-logs need a SCENE");
     }
@@ -120,7 +145,12 @@ public final class EnrichCommand extends CliCommand {
     Optional<HeadlessEnrichment> enriched =
         HeadlessEnrichment.of(
             new HeadlessEnrichment.Request(
-                scene, ratings, metadata, logs.isEmpty() ? null : this::proposals, target),
+                scene,
+                ratings,
+                scale == null ? RatingScale.BANDS : scale.scale,
+                metadata,
+                logs.isEmpty() ? null : this::proposals,
+                target),
             NodeCatalogue.load(),
             problems);
     if (enriched.isEmpty()) {

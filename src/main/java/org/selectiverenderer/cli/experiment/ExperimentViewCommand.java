@@ -17,6 +17,7 @@ import org.selectiverenderer.study.headlog.HeadLogAnalysis;
 import org.selectiverenderer.study.headlog.HeadLogPlot;
 import org.selectiverenderer.study.headlog.HeadLogReader;
 import org.selectiverenderer.study.headlog.HeadLogReport;
+import org.selectiverenderer.study.headlog.SwitchSightings;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -44,6 +45,14 @@ final class ExperimentViewCommand extends CliCommand {
       paramLabel = "F.svg",
       description = "writes a drawing of the session, from above and as a time line")
   private @Nullable Path plot;
+
+  @Option(
+      names = "--timeline",
+      paramLabel = "F.jsonl",
+      description =
+          "time line that the same run wrote (run --timeline); tells which objects were seen as "
+              + "they changed")
+  private @Nullable Path timeline;
 
   @Option(
       names = "--bids",
@@ -75,9 +84,7 @@ final class ExperimentViewCommand extends CliCommand {
       return ExitStatus.PROBLEMS;
     }
     HeadLogAnalysis analysis = HeadLogAnalysis.of(read.get());
-    console()
-        .out()
-        .print(format.json() ? HeadLogReport.json(analysis) : HeadLogReport.text(analysis));
+    console().out().print(report(analysis, problems));
     if (plot != null) {
       OutputFile.writePrivate(plot, HeadLogPlot.svg(analysis));
     }
@@ -85,5 +92,15 @@ final class ExperimentViewCommand extends CliCommand {
       console().message("BIDS motion data: " + BidsMotionFiles.write(read.get(), bids, subject));
     }
     return problems.any() ? ExitStatus.PROBLEMS : ExitStatus.DONE;
+  }
+
+  private String report(HeadLogAnalysis analysis, ProblemCollector problems) throws IOException {
+    if (timeline == null) {
+      return format.json() ? HeadLogReport.json(analysis) : HeadLogReport.text(analysis);
+    }
+    SwitchSightings switches = SwitchSightings.read(timeline, problems);
+    return format.json()
+        ? HeadLogReport.json(analysis, switches)
+        : HeadLogReport.text(analysis) + "\n" + switches.text();
   }
 }

@@ -15,12 +15,14 @@ import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
  * @param timeline receives the time line
  * @param samples receives the head log's sample of every frame
  * @param begun called when the scene has been read, before the first frame
+ * @param frames receives the polygons of every frame
  */
 public record ConsoleRunListener(
     Console console,
     Consumer<TimelineEvent> timeline,
     Optional<HeadSampleListener> samples,
-    Beginning begun)
+    Beginning begun,
+    Frames frames)
     implements RunListener {
   /** An action before the first frame. */
   @FunctionalInterface
@@ -29,6 +31,22 @@ public record ConsoleRunListener(
      * @throws IOException with a one-line message, to prevent the run
      */
     void begin() throws IOException;
+  }
+
+  /** Receives frames. */
+  @FunctionalInterface
+  public interface Frames {
+    /** Tells a frame, as {@link RunListener#stepped}. */
+    void stepped(double t, long polygons);
+  }
+
+  /** Creates a listener that tells nobody of frames. */
+  public ConsoleRunListener(
+      Console console,
+      Consumer<TimelineEvent> timeline,
+      Optional<HeadSampleListener> samples,
+      Beginning begun) {
+    this(console, timeline, samples, begun, (t, polygons) -> {});
   }
 
   /** Creates a listener without an action before the first frame. */
@@ -55,6 +73,11 @@ public record ConsoleRunListener(
   @Override
   public void happened(TimelineEvent event) {
     timeline.accept(event);
+  }
+
+  @Override
+  public void stepped(double t, long polygons) {
+    frames.stepped(t, polygons);
   }
 
   @Override

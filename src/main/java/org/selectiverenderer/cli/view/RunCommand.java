@@ -9,8 +9,6 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.head.ReplayLogFormat;
 import org.selectiverenderer.app.headset.HeadsetConnection;
@@ -33,6 +31,7 @@ import org.selectiverenderer.cli.option.BudgetOption;
 import org.selectiverenderer.cli.option.ConditionOptions;
 import org.selectiverenderer.cli.option.QualityOptions;
 import org.selectiverenderer.cli.option.LslOptions;
+import org.selectiverenderer.cli.option.SwitchOption;
 import org.selectiverenderer.cli.option.TrackerFilterOptions;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.option.AccessOptions;
@@ -50,12 +49,11 @@ import org.selectiverenderer.render.context.GlUnavailableException;
 import org.selectiverenderer.study.headlog.HeadLogFiles;
 import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
+import org.selectiverenderer.walkthrough.timeline.TimelineText;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.TypeConversionException;
 
 @Command(
     name = "run",
@@ -87,6 +85,8 @@ public final class RunCommand extends CliCommand {
   @Mixin private AccessOptions access = new AccessOptions();
 
   @Mixin private ConditionOptions condition = new ConditionOptions();
+
+  @Mixin private SwitchOption change = new SwitchOption();
 
   @Mixin private QualityOptions qualities = new QualityOptions();
 
@@ -177,7 +177,10 @@ public final class RunCommand extends CliCommand {
     }
     ContentAccessPolicy allowed = access.access();
     RunSettings settings =
-        new RunSettings(scene.file(), budget.in(qualities.with(condition.settings()), true))
+        new RunSettings(
+                scene.file(),
+                budget.in(
+                    qualities.with(condition.settings()).with(change.transition()), true))
             .allowing(allowed)
             .muted(mute)
             .with(motion(walked, session))
@@ -289,7 +292,7 @@ public final class RunCommand extends CliCommand {
       throws IOException {
     try (LslStreams streams = streams();
         TimelineFileWriter file = records.timeline().orElse(null)) {
-      Consumer<TimelineEvent> written = file == null ? event -> {} : file;
+      Consumer<TimelineEvent> written = file == null ? this::waiting : file;
       ConsoleRunListener output =
           new ConsoleRunListener(
               console(),
@@ -316,6 +319,13 @@ public final class RunCommand extends CliCommand {
     }
   }
 
+  /** Tells what waited in vain, to somebody who has no time line. */
+  private void waiting(TimelineEvent event) {
+    if (event instanceof TimelineEvent.End end && !end.waiting().isEmpty()) {
+      console().message(new TimelineText().line(end).strip());
+    }
+  }
+
   private static HeadsetConnection headset(RunSettings settings)
       throws HeadsetUnavailableException {
     return HeadsetConnection.find(settings.display().presentation().headset().orElseThrow());
@@ -338,37 +348,5 @@ public final class RunCommand extends CliCommand {
             : "simulate walks a path through a scene without a display, and run --offscreen draws"
                 + " without a window where there is a display such as Xvfb";
     throw CommandException.environment(reason + "; " + advice);
-  }
-
-  /** A size in pixels, as {@code 1024x768} on the command line. */
-  private record PixelSize(int width, int height) {
-    private static final int MOST = 16384;
-    private static final Pattern FORM = Pattern.compile("([0-9]{1,5})[xX]([0-9]{1,5})");
-
-    /**
-     * Returns the size as on the command line; the generated method of a record would slow down the
-     * start.
-     */
-    @Override
-    public String toString() {
-      return width + "x" + height;
-    }
-
-    /** Converts a size. */
-    static final class Converter implements ITypeConverter<PixelSize> {
-      @Override
-      public PixelSize convert(String value) {
-        Matcher matcher = FORM.matcher(value);
-        if (matcher.matches()) {
-          int width = Integer.parseInt(matcher.group(1));
-          int height = Integer.parseInt(matcher.group(2));
-          if (width > 0 && height > 0 && width <= MOST && height <= MOST) {
-            return new PixelSize(width, height);
-          }
-        }
-        throw new TypeConversionException(
-            "'" + value + "' is not a size such as 1024x768, from 1x1 to " + MOST + "x" + MOST);
-      }
-    }
   }
 }

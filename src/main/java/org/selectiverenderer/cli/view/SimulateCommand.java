@@ -2,11 +2,13 @@ package org.selectiverenderer.cli.view;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.app.run.RunResult;
 import org.selectiverenderer.app.run.SceneRunner;
+import org.selectiverenderer.app.settings.DisplaySettings;
 import org.selectiverenderer.app.settings.MotionSettings;
 import org.selectiverenderer.app.settings.PathPlaybackSettings;
 import org.selectiverenderer.app.settings.RunSettings;
@@ -22,11 +24,13 @@ import org.selectiverenderer.cli.option.QualityOptions;
 import org.selectiverenderer.cli.option.FileArguments;
 import org.selectiverenderer.cli.option.FormatOption;
 import org.selectiverenderer.cli.option.ScenesArgument;
+import org.selectiverenderer.cli.option.SwitchOption;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.option.AccessOptions;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
+import org.selectiverenderer.schema.SwitchTransition;
 import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 import org.selectiverenderer.walkthrough.timeline.TimelineJson;
 import org.selectiverenderer.walkthrough.timeline.TimelineText;
@@ -45,7 +49,9 @@ import picocli.CommandLine.Option;
       "  ./selective-renderer simulate scenes/trashcan.x3d \\",
       "      --path scenes/paths/desk-visit.csv",
       "  ./selective-renderer simulate scenes/ --path scenes/paths/desk-visit.csv \\",
-      "      --format json"
+      "      --format json",
+      "  ./selective-renderer simulate scenes/apartment.x3d \\",
+      "      --path scenes/paths/apartment-tour.csv --chart polygons.svg"
     })
 public final class SimulateCommand extends CliCommand {
   @Mixin private ScenesArgument scenes = new ScenesArgument();
@@ -76,9 +82,21 @@ public final class SimulateCommand extends CliCommand {
 
   @Mixin private ConditionOptions condition = new ConditionOptions();
 
+  @Mixin private SwitchOption change = new SwitchOption();
+
+  @Option(
+      names = "--size",
+      converter = PixelSize.Converter.class,
+      paramLabel = "WxH",
+      description =
+          "size of the picture in which what the viewer would see is counted (default: 1024x768)")
+  private @Nullable PixelSize size;
+
   @Mixin private QualityOptions qualities = new QualityOptions();
 
   @Mixin private BudgetOption budget = new BudgetOption();
+
+  @Mixin private PolygonCurveOptions curve = new PolygonCurveOptions();
 
   @Mixin private FormatOption format = new FormatOption();
 
@@ -101,7 +119,11 @@ public final class SimulateCommand extends CliCommand {
     }
     FrameCountCheck.check(walked.get(), rate);
     allowed = access.access();
-    ExitStatus status = simulate(scenes.files(), walked.get());
+    FileArguments files = scenes.files();
+    List<Path> all = files.one() ? List.of(files.file()) : files.files(FileFinder.SCENES);
+    curve.check(all, path);
+    ExitStatus status = simulate(files, all, walked.get());
+    curve.write(all, path);
     return pathProblems.any() ? ExitStatus.PROBLEMS : status;
   }
 
@@ -109,12 +131,23 @@ public final class SimulateCommand extends CliCommand {
     return Optional.ofNullable(viewpoint);
   }
 
-  private ExitStatus simulate(FileArguments files, CameraPath walked) throws IOException {
+  private DisplaySettings display() {
+    return size == null
+        ? DisplaySettings.WINDOW
+        : DisplaySettings.WINDOW.sized(size.width(), size.height());
+  }
+
+  private TimelineText text() {
+    return new TimelineText(!change.transition().equals(SwitchTransition.AT_ONCE));
+  }
+
+  private ExitStatus simulate(FileArguments files, List<Path> all, CameraPath walked)
+      throws IOException {
     if (!files.one()) {
       return new BatchRunner(
               console(), format.json() ? BatchOutputFormat.LINES : BatchOutputFormat.TEXTS)
           .run(
-              files.files(FileFinder.SCENES),
+              all,
               (scene, own) -> {
                 if (!format.json()) {
                   own.line(scene.toString());
@@ -134,15 +167,25 @@ public final class SimulateCommand extends CliCommand {
 
   private ExitStatus simulate(Path scene, CameraPath walked, TimelineJson json, Console to)
       throws IOException, InterruptedException {
-    Function<TimelineEvent, String> text = format.json() ? json::line : new TimelineText()::line;
+    Function<TimelineEvent, String> text = format.json() ? json::line : text()::line;
     RunSettings settings =
-        new RunSettings(scene, budget.in(qualities.with(condition.settings()), false))
+        new RunSettings(
+                scene,
+                budget.in(
+                    qualities.with(condition.settings()).with(change.transition()), false))
             .allowing(allowed)
             .with(
-                MotionSettings.following(PathPlaybackSettings.at(rate, walked)).from(viewpoint()));
+                MotionSettings.following(PathPlaybackSettings.at(rate, walked)).from(viewpoint()))
+            .with(display());
     RunResult result =
         SceneRunner.simulated(
-            settings, new ConsoleRunListener(to, event -> to.line(text.apply(event))));
+            settings,
+            new ConsoleRunListener(
+                to,
+                event -> to.line(text.apply(event)),
+                Optional.empty(),
+                () -> {},
+                (t, polygons) -> curve.stepped(scene, t, polygons)));
     return result.problems() ? ExitStatus.PROBLEMS : ExitStatus.DONE;
   }
 }

@@ -1,6 +1,7 @@
 package org.selectiverenderer.browser;
 
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.instance.Background;
 import org.selectiverenderer.browser.instance.Fog;
 import org.selectiverenderer.browser.instance.InstanceTree;
@@ -33,6 +34,22 @@ public record LayerView(
   public record Part(double left, double right, double bottom, double top) {
     /** The whole picture. */
     public static final Part WHOLE = new Part(0, 1, 0, 1);
+
+    // Written out, as records link theirs when first called: the first frame would wait for it.
+    @Override
+    public boolean equals(@Nullable Object other) {
+      return other instanceof Part one
+          && Double.compare(left, one.left) == 0
+          && Double.compare(right, one.right) == 0
+          && Double.compare(bottom, one.bottom) == 0
+          && Double.compare(top, one.top) == 0;
+    }
+
+    @Override
+    public int hashCode() {
+      int across = 31 * Double.hashCode(left) + Double.hashCode(right);
+      return 31 * (31 * across + Double.hashCode(bottom)) + Double.hashCode(top);
+    }
 
     /**
      * Returns the part given by the {@code clipBoundary} of a Viewport (X3D 4.0, 35.4.4); the whole

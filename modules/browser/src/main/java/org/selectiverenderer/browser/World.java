@@ -19,6 +19,7 @@ import org.selectiverenderer.browser.scene.EventCascade;
 import org.selectiverenderer.browser.scene.Scene;
 import org.selectiverenderer.browser.script.ScriptTimeBudget;
 import org.selectiverenderer.browser.sound.Voice;
+import org.selectiverenderer.browser.viewer.EyeFrame;
 import org.selectiverenderer.browser.viewer.OrthographicExtent;
 import org.selectiverenderer.browser.viewer.Viewer;
 import org.selectiverenderer.browser.viewer.ViewerMotion;
@@ -58,6 +59,7 @@ public final class World {
   private double epoch = EPOCH;
   private volatile boolean running = true;
   private DisplayMetrics picture = DisplayMetrics.DEFAULT;
+  private List<EyeFrame> eyes = List.of();
   private RunningScene shown;
 
   public World(LoadedScene loaded, ProblemCollector problems) {
@@ -172,7 +174,34 @@ public final class World {
    */
   public void seenIn(double width, double height, Optional<OrthographicExtent> frustum) {
     picture = new DisplayMetrics(width, height, frustum);
+    eyes = List.of();
     shown.layers.see(picture);
+  }
+
+  /**
+   * Announces likewise that pictures of several eyes are about to be drawn.
+   *
+   * @param views the views of the eyes, of which the first one's size counts
+   * @param frustum the cross-section of the first one's frustum at distance 1, about its axis
+   */
+  public void seenBy(List<EyeFrame> views, Optional<OrthographicExtent> frustum) {
+    seenIn(views.get(0).width(), views.get(0).height(), frustum);
+    eyes = List.copyOf(views);
+  }
+
+  /** Returns the views of the eyes of a stereo display; empty if there is one eye, the viewer's. */
+  public List<EyeFrame> eyes() {
+    return eyes;
+  }
+
+  /** Returns the width of the picture, of one eye in stereo, in desktop pixels. */
+  public double pictureWidth() {
+    return picture.width();
+  }
+
+  /** Returns the height of the picture, of one eye in stereo, in desktop pixels. */
+  public double pictureHeight() {
+    return picture.height();
   }
 
   /** Returns the time that scripts may take, of this scene and of those that replace it. */

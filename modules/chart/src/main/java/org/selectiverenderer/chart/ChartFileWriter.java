@@ -49,6 +49,35 @@ public final class ChartFileWriter {
    * @throws IOException if the file cannot be written, or the charts are too many for one picture
    */
   public void write(String title, List<BarChart> charts) throws IOException {
+    check();
+    BarChartRenderer page = new BarChartRenderer(charts);
+    if (page.height() > MAX_HEIGHT) {
+      throw new IOException(file + ": too many charts for one picture; choose some with --scope");
+    }
+    AtomicFileWriter.write(file, kind == Kind.SVG ? svg(page, title) : png(page));
+  }
+
+  /**
+   * Draws a step chart and writes it; the same chart gives the same bytes.
+   *
+   * @throws IOException if the file cannot be written
+   */
+  public void write(StepChart chart) throws IOException {
+    check();
+    StepChartRenderer page = new StepChartRenderer(chart);
+    if (kind == Kind.SVG) {
+      SvgCanvas canvas =
+          new SvgCanvas(StepChartRenderer.WIDTH, StepChartRenderer.HEIGHT, chart.title());
+      page.draw(canvas);
+      AtomicFileWriter.write(file, canvas.finish().getBytes(StandardCharsets.UTF_8));
+    } else {
+      RasterCanvas canvas = new RasterCanvas(StepChartRenderer.WIDTH, StepChartRenderer.HEIGHT);
+      page.draw(canvas);
+      AtomicFileWriter.write(file, canvas.png());
+    }
+  }
+
+  private void check() throws IOException {
     Path folder = file.toAbsolutePath().getParent();
     if (folder != null && !Files.isDirectory(folder)) {
       throw new IOException(file + ": there is no folder " + folder + " to write the chart to");
@@ -56,11 +85,6 @@ public final class ChartFileWriter {
     if (Files.isDirectory(file)) {
       throw new IOException(file + ": this is a folder; the chart is not written");
     }
-    BarChartRenderer page = new BarChartRenderer(charts);
-    if (page.height() > MAX_HEIGHT) {
-      throw new IOException(file + ": too many charts for one picture; choose some with --scope");
-    }
-    AtomicFileWriter.write(file, kind == Kind.SVG ? svg(page, title) : png(page));
   }
 
   private static byte[] svg(BarChartRenderer page, String title) {

@@ -1,5 +1,5 @@
 /**
- * Charts: a canvas that draws SVG or pixels, colours, measured text, and bar charts as SVG and PNG
+ * Charts: a canvas that draws SVG or pixels, colours, measured text, bar and step charts as SVG and PNG
  * files. The packages that have the data decide which charts to draw: {@code polygon} and {@code
  * statistics.report}.
  *

@@ -99,6 +99,7 @@ public sealed interface ControlEvent {
    * @param from the level before; -1 if the value was of no level
    * @param to the level now; -1 only if the scene itself has set another value
    * @param schema the schema that caused the change; empty if the scene itself made it
+   * @param seen what the viewer sees of the object; empty where that is not known
    */
   record FieldChange(
       double time,
@@ -107,6 +108,19 @@ public sealed interface ControlEvent {
       String field,
       int from,
       int to,
-      String schema)
-      implements ControlEvent {}
+      String schema,
+      Optional<SwitchVisibility> seen)
+      implements ControlEvent {
+    /** Creates the event of a change of which it is not known whether it is seen. */
+    public FieldChange(
+        double time,
+        String object,
+        Quality quality,
+        String field,
+        int from,
+        int to,
+        String schema) {
+      this(time, object, quality, field, from, to, schema, Optional.empty());
+    }
+  }
 }

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
-import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SensorSchemas;
 import org.web3d.x3d.sai.X3DField;
 import org.web3d.x3d.sai.X3DFieldEventListener;
@@ -29,13 +28,24 @@ final class ControlledArea {
   private final X3DFieldEventListener onEnter;
   private final X3DFieldEventListener onExit;
   private final MetadataWatcher watch;
+  private final SchemaCache cache;
   private List<ControlProblem> problems = List.of();
   private Optional<SensorSchemas> schemas = Optional.empty();
 
+  /**
+   * Reads an area in its present state.
+   *
+   * @param cache reads the metadata
+   */
   ControlledArea(
-      ProximitySensor sensor, Supplier<String> name, ListenerLock turn, Listener listener) {
+      ProximitySensor sensor,
+      Supplier<String> name,
+      ListenerLock turn,
+      SchemaCache cache,
+      Listener listener) {
     this.sensor = sensor;
     this.name = name;
+    this.cache = cache;
     this.enterTime = sensor.getField("enterTime");
     this.exitTime = sensor.getField("exitTime");
     this.onEnter = event -> turn.take(() -> listener.entered(this, event.getTime()));
@@ -49,13 +59,19 @@ final class ControlledArea {
   /** Reads the metadata anew. */
   void read() {
     List<ControlProblem> found = new ArrayList<>();
-    SchemaReader reader =
-        new SchemaReader(
-            problem ->
-                found.add(
-                    ControlProblem.warning(
-                        name(), ((SaiMetadata) problem.metadata()).node(), problem.message())));
-    schemas = watch.read().flatMap(reader::sensor);
+    schemas =
+        watch
+            .read()
+            .flatMap(
+                metadata ->
+                    cache.area(
+                        metadata,
+                        problem ->
+                            found.add(
+                                ControlProblem.warning(
+                                    name(),
+                                    ((SaiMetadata) problem.metadata()).node(),
+                                    problem.message()))));
     problems = List.copyOf(found);
   }
 

@@ -204,7 +204,8 @@ final class ControlledField implements ControlledChoice {
         quality.target().toString(),
         from,
         to,
-        cause.schema());
+        cause.schema(),
+        seen);
   }
 
   /** Stops listening. */

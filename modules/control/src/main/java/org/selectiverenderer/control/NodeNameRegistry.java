@@ -15,8 +15,9 @@ import org.web3d.x3d.sai.X3DNode;
  * Only where such a name is ambiguous or has no DEF name is it preceded by the names of the
  * Inlines: {@code Kitchen/Teapot}.
  *
- * <p>The SAI returns the node of a name, but not the name of a node. Therefore all DEF names are
- * looked up and their nodes compared, which is done only when a name is asked for. A browser may
+ * <p>The SAI returns the node of a name, but not the name of a node. Therefore, unless the browser
+ * tells names, all DEF names are looked up and their nodes compared, which is done only when a name
+ * is asked for. A browser may
  * return the same object for a node each time, or an equal one.
  */
 final class NodeNameRegistry {
@@ -63,12 +64,7 @@ final class NodeNameRegistry {
     unnamed.values().forEach(known -> scopes.add(known.scope()));
     Map<X3DNode, String> defs = new HashMap<>();
     for (SceneScope scope : scopes) {
-      for (String name : scope.scene().getNamedNodes()) {
-        X3DNode node = scope.named(name);
-        if (unnamed.containsKey(node)) {
-          defs.put(node, name.strip());
-        }
-      }
+      scope.namesOf(unnamed.keySet()).forEach((node, name) -> defs.put(node, name.strip()));
     }
     return defs;
   }

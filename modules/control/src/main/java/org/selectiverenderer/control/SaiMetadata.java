@@ -15,23 +15,40 @@ import org.web3d.x3d.sai.core.MetadataSet;
 import org.web3d.x3d.sai.core.MetadataString;
 
 /**
- * A metadata node of a running scene, read through the SAI.
- *
- * @param node the metadata node, which is an {@link X3DMetadataObject} too
+ * A metadata node of a running scene, whose fields are read through the SAI when they are first
+ * asked for, and once: readers of schemas go through metadata several times.
  */
-record SaiMetadata(X3DNode node) implements MetadataNode {
+final class SaiMetadata implements MetadataNode {
+  private final X3DNode node;
+  private final int hash;
+  private @Nullable String name;
+  private @Nullable List<String> values;
+  private @Nullable List<SaiMetadata> children;
+
   /**
-   * Two are equal when their nodes are. Written out, because Java generates a record's methods at
-   * first use, which takes time.
+   * @param node the metadata node, which is an {@link X3DMetadataObject} too
    */
+  private SaiMetadata(X3DNode node) {
+    this.node = node;
+    hash = node.hashCode();
+  }
+
+  X3DNode node() {
+    return node;
+  }
+
+  /** Two are equal when their nodes are. */
   @Override
   public boolean equals(@Nullable Object other) {
-    return other instanceof SaiMetadata metadata && node.equals(metadata.node);
+    return other == this
+        || (other instanceof SaiMetadata metadata
+            && hash == metadata.hash
+            && node.equals(metadata.node));
   }
 
   @Override
   public int hashCode() {
-    return node.hashCode();
+    return hash;
   }
 
   /** Returns the metadata of a node, if it has any. */
@@ -48,12 +65,26 @@ record SaiMetadata(X3DNode node) implements MetadataNode {
 
   @Override
   public String name() {
-    String name = ((X3DMetadataObject) node).getName();
-    return name == null ? "" : name; // Xj3D, where the file has none
+    String known = name;
+    if (known == null) {
+      String read = ((X3DMetadataObject) node).getName();
+      known = read == null ? "" : read; // Xj3D, where the file has none
+      name = known;
+    }
+    return known;
   }
 
   @Override
   public List<String> values() {
+    List<String> known = values;
+    if (known == null) {
+      known = readValues();
+      values = known;
+    }
+    return known;
+  }
+
+  private List<String> readValues() {
     if (node instanceof MetadataString strings) {
       String[] values = new String[strings.getNumValue()];
       strings.getValue(values);
@@ -88,17 +119,26 @@ record SaiMetadata(X3DNode node) implements MetadataNode {
 
   @Override
   public List<SaiMetadata> children() {
+    List<SaiMetadata> known = children;
+    if (known == null) {
+      known = readChildren();
+      children = known;
+    }
+    return known;
+  }
+
+  private List<SaiMetadata> readChildren() {
     if (!(node instanceof MetadataSet set)) {
       return List.of();
     }
     X3DNode[] nodes = new X3DNode[set.getNumValue()];
     set.getValue(nodes);
-    List<SaiMetadata> children = new ArrayList<>(nodes.length);
+    List<SaiMetadata> found = new ArrayList<>(nodes.length);
     for (X3DNode child : nodes) {
       if (child instanceof X3DMetadataObject) {
-        children.add(new SaiMetadata(child));
+        found.add(new SaiMetadata(child));
       }
     }
-    return children;
+    return found;
   }
 }

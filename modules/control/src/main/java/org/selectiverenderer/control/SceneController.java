@@ -18,6 +18,7 @@ import org.selectiverenderer.control.ControlProblem.Severity;
 import org.selectiverenderer.control.SceneGraphWatcher.Found;
 import org.selectiverenderer.control.SelectiveController.Settings;
 import org.selectiverenderer.sai.InlineSceneAccess;
+import org.selectiverenderer.sai.NodeNameAccess;
 import org.selectiverenderer.schema.Quality;
 import org.selectiverenderer.schema.SchemaActivation;
 import org.selectiverenderer.schema.SchemaActivation.Change;
@@ -37,6 +38,7 @@ final class SceneController implements ControlledArea.Listener {
   private final Consumer<ControlEvent> events;
   private final Consumer<ControlProblem> problems;
   private final NodeNameRegistry names = new NodeNameRegistry();
+  private final SchemaCache cache = new SchemaCache();
   private final @Nullable InlineSceneAccess inlined;
   private final SceneGraphWatcher walk;
   private final SchemaActivation<ControlledArea, ControlledChoice> activation =
@@ -55,12 +57,14 @@ final class SceneController implements ControlledArea.Listener {
    * @param inlined gives access to the scenes of Inlines; null where the browser does not
    * @param bodies maps prototype instances to the first nodes of their bodies, and other nodes to
    *     themselves
+   * @param namesAccess tells the names of nodes; null where the browser does not
    */
   SceneController(
       X3DExecutionContext scene,
       ListenerLock turn,
       @Nullable InlineSceneAccess inlined,
       UnaryOperator<X3DNode> bodies,
+      @Nullable NodeNameAccess namesAccess,
       Settings settings,
       SwitchTiming timing,
       Consumer<ControlEvent> events,
@@ -74,7 +78,13 @@ final class SceneController implements ControlledArea.Listener {
     this.inlined = inlined;
     this.walk =
         new SceneGraphWatcher(
-            scene, inlined, bodies, Set.of("Switch", "ProximitySensor"), turn, this::changed);
+            scene,
+            inlined,
+            bodies,
+            namesAccess,
+            Set.of("Switch", "ProximitySensor"),
+            turn,
+            this::changed);
   }
 
   /** Reads the scene, sets the choices of the condition, and reports the start. */
@@ -324,7 +334,7 @@ final class SceneController implements ControlledArea.Listener {
     for (Found one : found) {
       X3DNode node = one.node();
       if (node instanceof ProximitySensor sensor) {
-        ControlledArea area = new ControlledArea(sensor, () -> names.of(node), turn, this);
+        ControlledArea area = new ControlledArea(sensor, () -> names.of(node), turn, cache, this);
         areas.put(node, area);
         area.schemas().ifPresent(schemas -> activation.putArea(area, schemas));
         foundAreas.add(area);
@@ -335,6 +345,7 @@ final class SceneController implements ControlledArea.Listener {
                 one.scope(),
                 () -> names.of(node),
                 turn,
+                cache,
                 this::objectChanged,
                 this::choiceChanged,
                 this::levelChanged);

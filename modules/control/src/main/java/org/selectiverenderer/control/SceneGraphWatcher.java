@@ -12,6 +12,7 @@ import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.sai.InlineSceneAccess;
+import org.selectiverenderer.sai.NodeNameAccess;
 import org.web3d.x3d.sai.MFNode;
 import org.web3d.x3d.sai.SFNode;
 import org.web3d.x3d.sai.X3DAppearanceChildNode;
@@ -19,14 +20,17 @@ import org.web3d.x3d.sai.X3DAppearanceNode;
 import org.web3d.x3d.sai.X3DExecutionContext;
 import org.web3d.x3d.sai.X3DField;
 import org.web3d.x3d.sai.X3DFieldDefinition;
+import org.web3d.x3d.sai.X3DFieldEvent;
 import org.web3d.x3d.sai.X3DFieldEventListener;
 import org.web3d.x3d.sai.X3DFieldTypes;
 import org.web3d.x3d.sai.X3DFontStyleNode;
 import org.web3d.x3d.sai.X3DGeometricPropertyNode;
 import org.web3d.x3d.sai.X3DGeometryNode;
+import org.web3d.x3d.sai.X3DGroupingNode;
 import org.web3d.x3d.sai.X3DLightNode;
 import org.web3d.x3d.sai.X3DMetadataObject;
 import org.web3d.x3d.sai.X3DNode;
+import org.web3d.x3d.sai.X3DProtoInstance;
 import org.web3d.x3d.sai.X3DShapeNode;
 import org.web3d.x3d.sai.networking.Inline;
 
@@ -67,6 +71,9 @@ final class SceneGraphWatcher {
   private final Map<X3DNode, Place> places = new HashMap<>();
   private List<X3DNode> roots = List.of();
 
+  /** The names of the fields with children, by type of grouping node. */
+  private final Map<String, List<String>> childFields = new HashMap<>();
+
   /**
    * Makes a watcher that traverses the scene with the first {@link #rescan}.
    *
@@ -74,15 +81,17 @@ final class SceneGraphWatcher {
    * @param inlined gives access to the scenes of Inlines; null where the browser does not
    * @param bodies maps prototype instances to the first nodes of their bodies, and other nodes to
    *     themselves
+   * @param names tells the names of nodes; null where the browser does not
    */
   SceneGraphWatcher(
       X3DExecutionContext scene,
       @Nullable InlineSceneAccess inlined,
       UnaryOperator<X3DNode> bodies,
+      @Nullable NodeNameAccess names,
       Set<String> wanted,
       ListenerLock turn,
       Listener listener) {
-    this.main = new SceneScope(scene, bodies);
+    this.main = new SceneScope(scene, bodies, names);
     this.inlined = inlined;
     this.wanted = wanted;
     this.turn = turn;
@@ -195,6 +204,27 @@ final class SceneGraphWatcher {
     }
   }
 
+  /** Returns the names of the fields whose nodes are traversed. */
+  private List<String> childFields(X3DNode node) {
+    boolean known = node instanceof X3DGroupingNode && !(node instanceof X3DProtoInstance);
+    return known // Other nodes, such as Scripts, may have fields of their own.
+        ? childFields.computeIfAbsent(node.getNodeName(), type -> readChildFields(node))
+        : readChildFields(node);
+  }
+
+  private static List<String> readChildFields(X3DNode node) {
+    List<String> names = new ArrayList<>();
+    for (X3DFieldDefinition definition : node.getFieldDefinitions()) {
+      int type = definition.getFieldType();
+      if ((type == X3DFieldTypes.SFNODE || type == X3DFieldTypes.MFNODE)
+          && definition.getAccessType() != X3DFieldTypes.INPUT_ONLY
+          && !definition.getName().equals("metadata")) {
+        names.add(definition.getName());
+      }
+    }
+    return List.copyOf(names);
+  }
+
   private static boolean isLeaf(X3DNode node) {
     return node instanceof X3DShapeNode
         || node instanceof X3DAppearanceNode
@@ -214,14 +244,8 @@ final class SceneGraphWatcher {
     Place(X3DNode node, SceneScope scope) {
       List<ChildSource> found = new ArrayList<>();
       ChildSource.Listener listener = SceneGraphWatcher.this::replace;
-      for (X3DFieldDefinition definition : node.getFieldDefinitions()) {
-        int type = definition.getFieldType();
-        if ((type == X3DFieldTypes.SFNODE || type == X3DFieldTypes.MFNODE)
-            && definition.getAccessType() != X3DFieldTypes.INPUT_ONLY
-            && !definition.getName().equals("metadata")) {
-          found.add(
-              new FieldChildSource(scope, node.getField(definition.getName()), turn, listener));
-        }
+      for (String field : childFields(node)) {
+        found.add(new FieldChildSource(scope, node.getField(field), turn, listener));
       }
       if (inlined != null && node instanceof Inline) {
         found.add(new InlineChildSource(scope, node, inlined, wanted, listener));
@@ -244,16 +268,22 @@ final class SceneGraphWatcher {
   }
 
   /** The child nodes in an SFNode or MFNode field. */
-  private static final class FieldChildSource extends ChildSource {
+  private static final class FieldChildSource extends ChildSource
+      implements X3DFieldEventListener {
     private final SceneScope scope;
     private final X3DField field;
-    private final X3DFieldEventListener onChange;
+    private final ListenerLock turn;
 
     FieldChildSource(SceneScope scope, X3DField field, ListenerLock turn, Listener listener) {
       super(listener);
       this.scope = scope;
       this.field = field;
-      this.onChange = event -> turn.take(() -> changed(event.getTime()));
+      this.turn = turn;
+    }
+
+    @Override
+    public void readableFieldChanged(X3DFieldEvent event) {
+      turn.take(() -> changed(event.getTime()));
     }
 
     @Override
@@ -274,13 +304,13 @@ final class SceneGraphWatcher {
     @Override
     void listen() {
       if (field.getDefinition().getAccessType() != X3DFieldTypes.INITIALIZE_ONLY) {
-        field.addX3DEventListener(onChange);
+        field.addX3DEventListener(this);
       }
     }
 
     @Override
     void close() {
-      FieldListeners.remove(field, onChange);
+      FieldListeners.remove(field, this);
     }
   }
 }

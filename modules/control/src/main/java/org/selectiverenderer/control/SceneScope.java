@@ -1,9 +1,13 @@
 package org.selectiverenderer.control;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.sai.NodeNameAccess;
 import org.web3d.x3d.sai.X3DExecutionContext;
 import org.web3d.x3d.sai.X3DNode;
 
@@ -11,6 +15,7 @@ import org.web3d.x3d.sai.X3DNode;
 final class SceneScope {
   private final X3DExecutionContext scene;
   private final UnaryOperator<X3DNode> bodies;
+  private final @Nullable NodeNameAccess namesAccess;
   private final @Nullable SceneScope outer;
   private final @Nullable X3DNode inline;
   private final int number;
@@ -21,19 +26,25 @@ final class SceneScope {
    *
    * @param bodies maps prototype instances to the first nodes of their bodies, and other nodes to
    *     themselves
+   * @param namesAccess tells the names of nodes; null where the browser does not
    */
-  SceneScope(X3DExecutionContext scene, UnaryOperator<X3DNode> bodies) {
-    this(scene, bodies, null, null, 0);
+  SceneScope(
+      X3DExecutionContext scene,
+      UnaryOperator<X3DNode> bodies,
+      @Nullable NodeNameAccess namesAccess) {
+    this(scene, bodies, namesAccess, null, null, 0);
   }
 
   private SceneScope(
       X3DExecutionContext scene,
       UnaryOperator<X3DNode> bodies,
+      @Nullable NodeNameAccess namesAccess,
       @Nullable SceneScope outer,
       @Nullable X3DNode inline,
       int number) {
     this.scene = scene;
     this.bodies = bodies;
+    this.namesAccess = namesAccess;
     this.outer = outer;
     this.inline = inline;
     this.number = number;
@@ -46,7 +57,7 @@ final class SceneScope {
 
   /** Returns the scope of the scene in an Inline of this scene. */
   SceneScope inner(X3DNode inlineHere, int itsNumber, X3DExecutionContext content) {
-    return new SceneScope(content, bodies, this, inlineHere, itsNumber);
+    return new SceneScope(content, bodies, namesAccess, this, inlineHere, itsNumber);
   }
 
   X3DExecutionContext scene() {
@@ -67,6 +78,21 @@ final class SceneScope {
     return List.copyOf(found);
   }
 
+  /** Returns the DEF names in this scene of some nodes; of several names of a node, the last. */
+  Map<X3DNode, String> namesOf(Set<X3DNode> nodes) {
+    if (namesAccess != null) {
+      return namesAccess.namesOf(scene, nodes);
+    }
+    Map<X3DNode, String> names = new HashMap<>();
+    for (String name : scene.getNamedNodes()) {
+      X3DNode node = named(name);
+      if (nodes.contains(node)) {
+        names.put(node, name);
+      }
+    }
+    return names;
+  }
+
   /** Returns the node of a DEF name. */
   X3DNode named(String name) {
     return bodies.apply(scene.getNamedNode(name));
@@ -85,12 +111,7 @@ final class SceneScope {
     if (outer == null || inline == null) {
       return "";
     }
-    String name = "Inline#" + number;
-    for (String candidate : outer.scene.getNamedNodes()) {
-      if (inline.equals(outer.named(candidate))) {
-        name = candidate.strip();
-      }
-    }
-    return outer.path() + name + "/";
+    String name = outer.namesOf(Set.of(inline)).get(inline);
+    return outer.path() + (name == null ? "Inline#" + number : name.strip()) + "/";
   }
 }

@@ -9,6 +9,7 @@ import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.control.budget.RenderingBudget;
 import org.selectiverenderer.sai.InlineSceneAccess;
+import org.selectiverenderer.sai.NodeNameAccess;
 import org.selectiverenderer.sai.ProtoBodyAccess;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.schema.Quality;
@@ -284,6 +285,7 @@ public final class SelectiveController implements AutoCloseable {
               new ListenerLock(this),
               opener(),
               bodies(),
+              browser instanceof NodeNameAccess names ? names : null,
               settings,
               timing,
               events,

@@ -5,5 +5,6 @@ package org.selectiverenderer.control;
  *
  * @param visible whether some of the object is in the view and not hidden by other objects
  * @param pixels estimated number of the picture's pixels that show the object
+ * @param turning rate at which the view turns, in degrees per second
  */
-public record SwitchVisibility(boolean visible, double pixels) {}
+public record SwitchVisibility(boolean visible, double pixels, double turning) {}

@@ -3,10 +3,12 @@ package org.selectiverenderer.control;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.ObjDoubleConsumer;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.selectiverenderer.schema.FieldQuality;
+import org.selectiverenderer.schema.SchemaProblem;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SwitchSchemas;
 import org.web3d.x3d.sai.X3DException;
@@ -40,6 +42,7 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
   private final X3DField whichChoice;
   private final X3DFieldEventListener onChoice;
   private final MetadataWatcher watch;
+  private final SchemaCache cache;
 
   /** The controller's own writes whose events have not come yet, oldest first. */
   private List<Integer> pending = List.of();
@@ -57,6 +60,7 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
    * Reads an object in its present state.
    *
    * @param scope the file of the Switch, whose nodes the field qualities name
+   * @param cache reads the metadata
    * @param onChange called when the metadata or the number of versions has changed
    */
   VersionedObject(
@@ -64,6 +68,7 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
       SceneScope scope,
       Supplier<String> name,
       ListenerLock turn,
+      SchemaCache cache,
       ObjDoubleConsumer<VersionedObject> onChange,
       ChoiceListener onForeignChoice,
       ControlledField.LevelListener onForeignLevel) {
@@ -72,6 +77,7 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
     this.turn = turn;
     this.onForeignLevel = onForeignLevel;
     this.name = name;
+    this.cache = cache;
     this.atStart = node.getWhichChoice();
     this.shown = atStart;
     this.children = node.getField("children");
@@ -107,17 +113,16 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
   /** Reads the metadata anew. */
   void read() {
     problems = List.of();
-    SchemaReader reader =
-        new SchemaReader(
-            problem ->
-                add(
-                    ControlProblem.warning(
-                        name(), ((SaiMetadata) problem.metadata()).node(), problem.message())));
+    Consumer<SchemaProblem> warning =
+        problem ->
+            add(
+                ControlProblem.warning(
+                    name(), ((SaiMetadata) problem.metadata()).node(), problem.message()));
     Optional<SaiMetadata> metadata = watch.read();
-    schemas = metadata.flatMap(m -> reader.switchNode(m, node.getNumChildren()));
+    schemas = metadata.flatMap(m -> cache.object(m, node.getNumChildren(), warning));
     fields.forEach(ControlledField::close);
     fields =
-        metadata.map(reader::fieldQualities).orElse(List.of()).stream()
+        metadata.map(new SchemaReader(warning)::fieldQualities).orElse(List.of()).stream()
             .flatMap(quality -> field(quality).stream())
             .toList();
     calledFor(called);

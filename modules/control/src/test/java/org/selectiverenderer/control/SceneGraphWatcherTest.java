@@ -23,6 +23,7 @@ class SceneGraphWatcherTest {
             scene,
             null,
             UnaryOperator.identity(),
+            null,
             Set.of("Group", "Transform", "Switch", "Collision"),
             new ListenerLock(this),
             (added, gone, time) -> {

@@ -17,7 +17,7 @@ import org.web3d.x3d.sai.grouping.Switch;
 
 /** Choices wait while the objects are looked at. */
 class WaitingChoicesTest implements SwitchTiming {
-  private static final SwitchVisibility UNSEEN = new SwitchVisibility(false, 0);
+  private static final SwitchVisibility UNSEEN = new SwitchVisibility(false, 0, 0);
 
   private final Set<String> watched = new HashSet<>();
   private ControlledSceneFixture scene;

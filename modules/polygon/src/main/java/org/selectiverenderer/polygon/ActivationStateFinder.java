@@ -23,14 +23,18 @@ final class ActivationStateFinder {
   private static final int MAX_ORDERED = 4;
 
   private final List<CountGraphNode> objects;
+  private final List<CountedTexture> textures;
   private final List<Area> areas;
 
   /**
    * @param objects versioned objects of the whole scene
+   * @param textures textures whose pictures are qualities of objects
    * @param areas areas of the whole scene
    */
-  ActivationStateFinder(List<CountGraphNode> objects, List<Area> areas) {
+  ActivationStateFinder(
+      List<CountGraphNode> objects, List<CountedTexture> textures, List<Area> areas) {
     this.objects = objects;
+    this.textures = textures;
     this.areas = areas;
   }
 
@@ -38,11 +42,12 @@ final class ActivationStateFinder {
    * A state of a scope.
    *
    * @param schemas schemas as in {@link SceneStatistics.StateCount}
-   * @param shown the shown version of each object
+   * @param shown the shown version of each object and level of each texture
    */
-  record ActivationState(List<String> schemas, long polygons, Map<CountGraphNode, Integer> shown) {
+  record ActivationState(
+      List<String> schemas, long polygons, RenderingCost cost, Map<ChoiceKey, Integer> shown) {
     StateCount count(long high) {
-      return StateCount.of(schemas, polygons, high);
+      return StateCount.of(schemas, polygons, high, cost);
     }
   }
 
@@ -51,18 +56,19 @@ final class ActivationStateFinder {
    */
   List<ActivationState> states(CountedRegion scope, Collection<List<Area>> sets) {
     List<ActivationState> states = new ArrayList<>();
-    SchemaActivation<Area, CountGraphNode> start = activation(objects, areas);
-    states.add(new ActivationState(mainSchemas(scope), count(scope, start), start.shown()));
+    SchemaActivation<Area, ChoiceKey> start = activation(objects, textures, areas);
+    states.add(state(scope, mainSchemas(scope), start));
     Set<List<String>> listed = new HashSet<>();
     listed.add(states.get(0).schemas());
     for (List<Area> set : sets) {
-      Set<Long> counts = new HashSet<>();
+      Set<List<Object>> counts = new HashSet<>();
       for (List<Area> order : orders(set)) {
-        SchemaActivation<Area, CountGraphNode> activation = activation(objects, areas);
+        SchemaActivation<Area, ChoiceKey> activation = activation(objects, textures, areas);
         order.forEach(activation::enter);
-        long polygons = count(scope, activation);
-        if (counts.add(polygons) && listed.add(activation.activeSchemas())) {
-          states.add(new ActivationState(activation.activeSchemas(), polygons, activation.shown()));
+        ActivationState state = state(scope, activation.activeSchemas(), activation);
+        boolean other = counts.add(List.of(state.polygons(), state.cost().textureBytes()));
+        if (other && listed.add(state.schemas())) {
+          states.add(state);
         }
       }
     }
@@ -70,19 +76,27 @@ final class ActivationStateFinder {
   }
 
   /** Returns the activation of a scene as loaded, before the viewer has entered any area. */
-  static SchemaActivation<Area, CountGraphNode> activation(
-      List<CountGraphNode> objects, List<Area> areas) {
-    SchemaActivation<Area, CountGraphNode> activation = new SchemaActivation<>();
+  static SchemaActivation<Area, ChoiceKey> activation(
+      List<CountGraphNode> objects, List<CountedTexture> textures, List<Area> areas) {
+    SchemaActivation<Area, ChoiceKey> activation = new SchemaActivation<>();
     areas.forEach(area -> activation.putArea(area, area.schemas));
     for (CountGraphNode object : objects) {
       activation.putSwitch(object, object.versions.orElseThrow(), object.whichChoice());
     }
+    for (CountedTexture texture : textures) {
+      activation.putSwitch(texture, texture.schemas(), texture.atStart());
+    }
     return activation;
   }
 
-  private static long count(
-      CountedRegion scope, SchemaActivation<Area, CountGraphNode> activation) {
-    return new PolygonCounter(activation.shown()).of(scope.item());
+  private ActivationState state(
+      CountedRegion scope, List<String> schemas, SchemaActivation<Area, ChoiceKey> activation) {
+    Map<ChoiceKey, Integer> shown = activation.shown();
+    return new ActivationState(
+        schemas,
+        new PolygonCounter(shown).of(scope.item()),
+        new CostCounter(shown, textures).of(scope.item()),
+        shown);
   }
 
   /**

@@ -15,7 +15,9 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.polygon.metadata.NodeViewMetadata;
+import org.selectiverenderer.schema.FieldQuality;
 import org.selectiverenderer.schema.SchemaReader;
+import org.selectiverenderer.x3d.read.NodeTraversal;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.tessellate.GroupingNodeChildren;
 import org.selectiverenderer.x3d.tessellate.InstancedShapeTransforms;
@@ -30,6 +32,8 @@ final class CountGraphBuilder {
 
   private final ProblemCollector problems;
   private final Map<ParsedNode, CountGraphNode> items = new IdentityHashMap<>();
+  private final Map<ParsedNode, TextureUse> uses = new IdentityHashMap<>();
+  private final List<CountedTexture> varying = new ArrayList<>();
   private final Map<FilePolygonMeasurement, CountGraphNode> contents = new IdentityHashMap<>();
   private final Set<FilePolygonMeasurement> open = new HashSet<>();
   private final Map<FilePolygonMeasurement, NodeNames> names = new IdentityHashMap<>();
@@ -46,6 +50,11 @@ final class CountGraphBuilder {
   /** Returns the root of the scene. */
   CountGraphNode root() {
     return root;
+  }
+
+  /** Returns the textures whose pictures are qualities of objects. */
+  List<CountedTexture> varying() {
+    return Collections.unmodifiableList(varying);
   }
 
   /** Returns the graph node of every X3D node that has one. */
@@ -110,19 +119,35 @@ final class CountGraphBuilder {
     String name = names.get(file).of(node);
     CountGraphNode.Builder builder = new CountGraphNode.Builder(node).name(name);
     if (DrawableNodeClassifier.isShape(node)) {
-      DrawableNodeClassifier.geometry(node)
-          .map(file::size)
-          .map(size -> placed(node, size))
-          .ifPresent(builder::size);
+      Optional<ParsedNode> geometry = DrawableNodeClassifier.geometry(node);
+      geometry.map(file::size).map(size -> placed(node, size)).ifPresent(builder::size);
+      if (geometry.isPresent()) {
+        builder.drawn(textures(node, file));
+      }
     } else if (DrawableNodeClassifier.isInline(node)) {
       fill(node, name, file, builder);
     } else {
       List<ParsedNode> children = DrawableNodeClassifier.children(node);
-      enrich(node, name, children.size(), builder);
+      enrich(node, name, children.size(), file, builder);
       builder.children(items(children, file));
       GroupingNodeChildren.placement(node).ifPresent(builder::placement);
     }
     return builder.build();
+  }
+
+  private List<TextureUse> textures(ParsedNode shape, FilePolygonMeasurement file) {
+    List<TextureUse> found = new ArrayList<>();
+    if (shape.node("appearance") instanceof ParsedNode appearance) {
+      NodeTraversal.visit(
+          List.of(appearance),
+          node -> {
+            String type = node.type().name();
+            if (type.equals("ImageTexture") || type.equals("PixelTexture")) {
+              found.add(uses.computeIfAbsent(node, unknown -> new TextureUse(node, file)));
+            }
+          });
+    }
+    return found;
   }
 
   private static GeometrySize placed(ParsedNode shape, GeometrySize size) {
@@ -150,7 +175,12 @@ final class CountGraphBuilder {
     }
   }
 
-  private void enrich(ParsedNode node, String name, int children, CountGraphNode.Builder builder) {
+  private void enrich(
+      ParsedNode node,
+      String name,
+      int children,
+      FilePolygonMeasurement file,
+      CountGraphNode.Builder builder) {
     SchemaReader reader =
         new SchemaReader(
             problem ->
@@ -160,8 +190,21 @@ final class CountGraphBuilder {
     if (DrawableNodeClassifier.isSwitch(node)) {
       builder.versions(
           NodeViewMetadata.of(node).flatMap(data -> reader.switchNode(data, children)));
+      NodeViewMetadata.of(node)
+          .map(reader::fieldQualities)
+          .orElse(List.of())
+          .forEach(quality -> vary(quality, file));
     } else if (DrawableNodeClassifier.isSensor(node)) {
       builder.area(NodeViewMetadata.of(node).flatMap(reader::sensor));
+    }
+  }
+
+  private void vary(FieldQuality quality, FilePolygonMeasurement file) {
+    ParsedNode target = file.file().named().get(quality.target().node());
+    if (target != null
+        && target.type().name().equals("ImageTexture")
+        && quality.target().field().equals("url")) {
+      varying.add(new CountedTexture(target, quality));
     }
   }
 

@@ -1,7 +1,9 @@
 package org.selectiverenderer.polygon;
 
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.joml.Matrix4d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.BoundingBox;
@@ -14,7 +16,7 @@ import org.selectiverenderer.x3d.read.ParsedNode;
  * Inlines. A node that is USEd, or a file that is inlined several times, is one graph node with
  * several parents, so that its counts are computed once. Compared by identity.
  */
-final class CountGraphNode {
+final class CountGraphNode implements ChoiceKey {
   final @Nullable ParsedNode node;
   final String name;
   final List<CountGraphNode> children;
@@ -34,6 +36,12 @@ final class CountGraphNode {
   /** Polygons outside of versioned objects; all polygons if the node does not vary. */
   final long polygons;
 
+  /** Shapes that are drawn outside of versioned objects; all if the node does not vary. */
+  final long drawCalls;
+
+  private final List<TextureUse> ownTextures;
+  private @Nullable Set<TextureUse> textures;
+
   private CountGraphNode(Builder from) {
     node = from.node;
     name = from.name;
@@ -51,6 +59,29 @@ final class CountGraphNode {
             && children.stream().allMatch(child -> child.exact);
     bounds = placement.isPresent() ? inside.transformed(placement.get()) : inside;
     polygons = varies ? 0 : plus(ownPolygons(from), sum(shown(whichChoice())));
+    ownTextures = List.copyOf(from.textures);
+    long draws = from.drawn && visible() ? 1 : 0;
+    for (CountGraphNode child : varies ? List.<CountGraphNode>of() : shown(whichChoice())) {
+      draws = plus(draws, child.drawCalls);
+    }
+    drawCalls = draws;
+  }
+
+  private boolean visible() {
+    return node == null || DrawableNodeClassifier.visible(node);
+  }
+
+  /** Returns the textures of all shapes that a node shows which does not vary. */
+  Set<TextureUse> textures() {
+    Set<TextureUse> known = textures;
+    if (known == null) {
+      known = new HashSet<>(visible() ? ownTextures : List.of());
+      for (CountGraphNode child : shown(whichChoice())) {
+        known.addAll(child.textures());
+      }
+      textures = known;
+    }
+    return known;
   }
 
   /** Returns whether a matrix maps axis-aligned boxes to axis-aligned boxes. */
@@ -129,6 +160,8 @@ final class CountGraphNode {
     private Optional<SwitchSchemas> versions = Optional.empty();
     private Optional<SensorSchemas> area = Optional.empty();
     private GeometrySize size = GeometrySize.NOTHING;
+    private boolean drawn;
+    private List<TextureUse> textures = List.of();
 
     /**
      * @param node null for the root of a file
@@ -164,6 +197,13 @@ final class CountGraphNode {
 
     Builder size(GeometrySize measured) {
       size = measured;
+      return this;
+    }
+
+    /** Makes it a shape that is drawn. */
+    Builder drawn(List<TextureUse> shown) {
+      drawn = true;
+      textures = shown;
       return this;
     }
 

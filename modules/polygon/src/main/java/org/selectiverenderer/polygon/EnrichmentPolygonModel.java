@@ -79,8 +79,9 @@ public final class EnrichmentPolygonModel {
    * A state that the viewer can reach.
    *
    * @param schemas schemas of the areas that the viewer is in; empty for none
+   * @param cost what the state costs beside polygons
    */
-  public record State(List<String> schemas, long polygons) {
+  public record State(List<String> schemas, long polygons, RenderingCost cost) {
     /** Makes defensive copies, so that the record is immutable. */
     public State {
       schemas = List.copyOf(schemas);
@@ -179,7 +180,7 @@ public final class EnrichmentPolygonModel {
   public List<State> states(String group) {
     CountGraphNode item =
         group.isEmpty() ? items.root() : items.of(items.named().get(group)).orElse(items.root());
-    return new ReachableStateSearch(all.objects(), areas).states(item);
+    return new ReachableStateSearch(all.objects(), items.varying(), areas).states(item);
   }
 
   private static VersionedSwitch versioned(CountGraphNode object, PolygonCounter high) {

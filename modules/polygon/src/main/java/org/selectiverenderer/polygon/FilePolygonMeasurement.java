@@ -25,6 +25,14 @@ public interface FilePolygonMeasurement {
    */
   Optional<? extends FilePolygonMeasurement> content(ParsedNode inline);
 
+  /**
+   * Returns the picture that a texture of this file would show.
+   *
+   * @param texture an ImageTexture or PixelTexture
+   * @param urls the urls of an ImageTexture, which may be others than the node has
+   */
+  Optional<TexturePicture> picture(ParsedNode texture, List<String> urls);
+
   /** Returns the problems of the file, in document order. */
   List<Problem> problemList();
 }

@@ -11,6 +11,7 @@ import java.util.List;
  * @param percent polygons in percent of those with all objects in their most detailed version
  * @param fixed polygons outside of versioned objects
  * @param objects versioned objects in document order
+ * @param cost what the state costs beside polygons
  */
 public record PolygonContributions(
     String scope,
@@ -18,7 +19,8 @@ public record PolygonContributions(
     long polygons,
     double percent,
     long fixed,
-    List<ObjectShare> objects) {
+    List<ObjectShare> objects,
+    RenderingCost cost) {
   /** Makes defensive copies, so that the record is immutable. */
   public PolygonContributions {
     schemas = List.copyOf(schemas);

@@ -8,13 +8,13 @@ import java.util.Map;
  * once, however many instances it has.
  */
 final class PolygonCounter {
-  private final Map<CountGraphNode, Integer> choices;
+  private final Map<? extends ChoiceKey, Integer> choices;
   private final Map<CountGraphNode, Long> known = new IdentityHashMap<>();
 
   /**
    * @param choices the shown version of each versioned object
    */
-  PolygonCounter(Map<CountGraphNode, Integer> choices) {
+  PolygonCounter(Map<? extends ChoiceKey, Integer> choices) {
     this.choices = choices;
   }
 

@@ -21,14 +21,17 @@ final class ReachableStateSearch {
 
   private record Step(Area area, boolean enters) {}
 
-  private record Key(List<Area> entered, Map<CountGraphNode, Integer> shown) {}
+  private record Key(List<Area> entered, Map<ChoiceKey, Integer> shown) {}
 
   private final List<CountGraphNode> objects;
+  private final List<CountedTexture> textures;
   private final List<Area> areas;
 
   /** Creates the search of a whole scene. */
-  ReachableStateSearch(List<CountGraphNode> objects, List<Area> areas) {
+  ReachableStateSearch(
+      List<CountGraphNode> objects, List<CountedTexture> textures, List<Area> areas) {
     this.objects = objects;
+    this.textures = textures;
     this.areas = areas;
   }
 
@@ -43,20 +46,22 @@ final class ReachableStateSearch {
     pending.add(List.of());
     while (!pending.isEmpty() && known.size() < LIMIT) {
       List<Step> walk = pending.remove();
-      SchemaActivation<Area, CountGraphNode> activation = after(walk);
+      SchemaActivation<Area, ChoiceKey> activation = after(walk);
       if (known.add(new Key(activation.enteredAreas(), activation.shown()))) {
         states.add(
             new EnrichmentPolygonModel.State(
-                schemas(activation), new PolygonCounter(activation.shown()).of(part)));
+                schemas(activation),
+                new PolygonCounter(activation.shown()).of(part),
+                new CostCounter(activation.shown(), textures).of(part)));
         next(activation.enteredAreas()).forEach(step -> pending.add(with(walk, step)));
       }
     }
     return states;
   }
 
-  private SchemaActivation<Area, CountGraphNode> after(List<Step> walk) {
-    SchemaActivation<Area, CountGraphNode> activation =
-        ActivationStateFinder.activation(objects, areas);
+  private SchemaActivation<Area, ChoiceKey> after(List<Step> walk) {
+    SchemaActivation<Area, ChoiceKey> activation =
+        ActivationStateFinder.activation(objects, textures, areas);
     for (Step step : walk) {
       if (step.enters) {
         activation.enter(step.area);
@@ -89,7 +94,7 @@ final class ReachableStateSearch {
     return longer;
   }
 
-  private static List<String> schemas(SchemaActivation<Area, CountGraphNode> activation) {
+  private static List<String> schemas(SchemaActivation<Area, ChoiceKey> activation) {
     Set<String> schemas = new LinkedHashSet<>();
     activation.enteredAreas().forEach(area -> schemas.addAll(area.schemas.enter()));
     return List.copyOf(schemas);

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -15,6 +16,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BiFunction;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -32,7 +34,7 @@ import org.selectiverenderer.x3d.url.UrlResolver;
 
 /**
  * Reads a scene and all files that it inlines and measures their geometry, on all processors.
- * Textures are not opened. Each instance reads one scene.
+ * Of textures only the sizes are read, and when they are asked for. Each instance reads one scene.
  */
 final class SceneFileLoader {
   private final X3dReader reader = new X3dReader(NodeCatalogue.load());
@@ -42,6 +44,7 @@ final class SceneFileLoader {
   private final ConcurrentLinkedQueue<CompletableFuture<?>> tasks = new ConcurrentLinkedQueue<>();
   private final ExecutorService executor;
   private final UrlResolver root;
+  private final TexturePictureReader pictures;
   private final BaseUrl base;
   private final PrototypeLibraryProvider libraries;
   private final GeometryMeasurementCache kept;
@@ -56,6 +59,7 @@ final class SceneFileLoader {
     base = BaseUrl.folder(nameFolder);
     this.executor = executor;
     this.root = new UrlResolver(nameFolder, access);
+    pictures = new TexturePictureReader(root);
     libraries = new PrototypeLibraryLoader(reader, root);
   }
 
@@ -73,7 +77,8 @@ final class SceneFileLoader {
         files -> {
           ProblemCollector problems = new ProblemCollector();
           X3dReader reader = files.reader.with(files.libraries, files.base);
-          return files.load(scene, new SceneFile(reader.read(scene, problems), problems));
+          return files.load(
+              scene, new SceneFile(reader.read(scene, problems), problems, files.pictures(files.base)));
         });
   }
 
@@ -106,10 +111,17 @@ final class SceneFileLoader {
           ProblemCollector problems = new ProblemCollector();
           X3dReader reader = files.reader.with(files.libraries, files.base);
           ByteArrayInputStream in = new ByteArrayInputStream(text);
-          SceneFile first = new SceneFile(reader.read(name, in, text.length, problems), problems);
+          SceneFile first = new SceneFile(
+                  reader.read(name, in, text.length, problems),
+                  problems,
+                  files.pictures(files.base));
           files.filesRead.incrementAndGet();
           return new Read(files.load(scene, first), files.filesRead.get());
         });
+  }
+
+  private BiFunction<ParsedNode, List<String>, Optional<TexturePicture>> pictures(BaseUrl from) {
+    return (texture, urls) -> pictures.picture(texture, urls, from);
   }
 
   private interface Loading<T> {
@@ -220,7 +232,7 @@ final class SceneFileLoader {
 
   private Optional<SceneFile> inlined(
       UrlContent content, SourceLocation requestedBy, ProblemCollector requester) {
-    Optional<SceneFile> known = kept.find(content).map(SceneFile::again);
+    Optional<SceneFile> known = kept.find(content).map(file -> file.again(pictures(content.base())));
     known.ifPresent(file -> follow(file, content.base()));
     return known.or(() -> fresh(content, requestedBy, requester));
   }
@@ -235,7 +247,8 @@ final class SceneFileLoader {
       SceneFile file =
           new SceneFile(
               reader.with(libraries, content.base()).read(name, in, content.size(), problems),
-              problems);
+              problems,
+              pictures(content.base()));
       kept.keep(content, stamp, file);
       follow(file, content.base());
       return Optional.of(file);

@@ -25,6 +25,8 @@ public final class ScenePolygonCounter {
   private final List<CountGraphNode> objects;
   private final AreaFinder areas;
   private final PolygonCounter high;
+  private final CostCounter highCost;
+  private final List<CountedTexture> textures;
   private final Map<CountedRegion, List<ActivationStateFinder.ActivationState>> found =
       new LinkedHashMap<>();
 
@@ -38,9 +40,12 @@ public final class ScenePolygonCounter {
     scopesChosen = !scopeNames.isEmpty();
     scopes = scopeNames.isEmpty() ? finder.outermost() : finder.named(scopeNames);
     areas = new AreaFinder(root, scopes);
-    Map<CountGraphNode, Integer> choices = new LinkedHashMap<>();
+    Map<ChoiceKey, Integer> choices = new LinkedHashMap<>();
     objects.forEach(object -> choices.put(object, object.versions.orElseThrow().mostDetailed()));
+    textures = items.varying();
+    textures.forEach(texture -> choices.put(texture, texture.schemas().mostDetailed()));
     high = new PolygonCounter(choices);
+    highCost = new CostCounter(choices, textures);
   }
 
   /** Counts a scene that may refer only to files in its own folder. */
@@ -79,7 +84,7 @@ public final class ScenePolygonCounter {
           "sensors and scopes occur at more than %d places; the rest are left out"
               .formatted(InstanceTransforms.LIMIT));
     }
-    ActivationStateFinder states = new ActivationStateFinder(objects, areas.all());
+    ActivationStateFinder states = new ActivationStateFinder(objects, textures, areas.all());
     List<ScopeCount> counts = new ArrayList<>();
     for (CountedRegion scope : scopes) {
       long all = high.of(scope.item());
@@ -94,7 +99,10 @@ public final class ScenePolygonCounter {
       found.put(scope, inScope);
       counts.add(
           new ScopeCount(
-              scope.name(), all, inScope.stream().map(state -> state.count(all)).toList()));
+              scope.name(),
+              all,
+              inScope.stream().map(state -> state.count(all)).toList(),
+              highCost.of(scope.item())));
     }
     return new SceneStatistics(scene, high.of(root), objectCounts(), counts);
   }
@@ -123,7 +131,8 @@ public final class ScenePolygonCounter {
                     fixed,
                     scope.objects().stream()
                         .map(object -> share(object, state, counter, places.of(object).size()))
-                        .toList()));
+                        .toList(),
+                    state.cost()));
           }
         });
     return shares;

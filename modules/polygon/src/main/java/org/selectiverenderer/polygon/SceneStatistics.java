@@ -52,8 +52,15 @@ public record SceneStatistics(
    * @param scope DEF name of the group
    * @param high number of polygons when all objects show their most detailed version
    * @param states the states: as loaded, in each area, and in each set of overlapping areas
+   * @param highCost what {@code high} costs beside polygons
    */
-  public record ScopeCount(String scope, long high, List<StateCount> states) {
+  public record ScopeCount(
+      String scope, long high, List<StateCount> states, RenderingCost highCost) {
+    /** Makes the counts of a part of which polygons alone are known. */
+    public ScopeCount(String scope, long high, List<StateCount> states) {
+      this(scope, high, states, RenderingCost.NONE);
+    }
+
     /** Makes defensive copies, so that the record is immutable. */
     public ScopeCount {
       states = List.copyOf(states);
@@ -66,8 +73,15 @@ public record SceneStatistics(
    * @param schemas for the state as loaded, the schemas that all objects follow; else those that
    *     the areas activate, in the order of entering
    * @param percent polygons in percent of {@link ScopeCount#high}; 0 if that is 0
+   * @param cost what the state costs beside polygons
    */
-  public record StateCount(List<String> schemas, long polygons, double percent) {
+  public record StateCount(
+      List<String> schemas, long polygons, double percent, RenderingCost cost) {
+    /** Makes the count of a state of which polygons alone are known. */
+    public StateCount(List<String> schemas, long polygons, double percent) {
+      this(schemas, polygons, percent, RenderingCost.NONE);
+    }
+
     /** Makes defensive copies, so that the record is immutable. */
     public StateCount {
       schemas = List.copyOf(schemas);
@@ -76,8 +90,8 @@ public record SceneStatistics(
     /**
      * @param high the polygons that are 100 %
      */
-    static StateCount of(List<String> schemas, long polygons, long high) {
-      return new StateCount(schemas, polygons, percentage(polygons, high));
+    static StateCount of(List<String> schemas, long polygons, long high, RenderingCost cost) {
+      return new StateCount(schemas, polygons, percentage(polygons, high), cost);
     }
   }
 

@@ -9,7 +9,8 @@ import org.selectiverenderer.polygon.SceneStatistics.ScopeCount;
 import org.selectiverenderer.polygon.SceneStatistics.StateCount;
 
 /**
- * Writes polygon counts as CSV with the header {@code kind,scope,name,version,polygons,percent},
+ * Writes polygon counts as CSV with the header {@code
+ * kind,scope,name,version,polygons,percent,draw_calls,texture_bytes},
  * one row for each
  *
  * <ul>
@@ -22,7 +23,7 @@ import org.selectiverenderer.polygon.SceneStatistics.StateCount;
  */
 public final class SceneStatisticsCsvWriter {
   private static final Object[] HEADER = {
-    "kind", "scope", "name", "version", "polygons", "percent"
+    "kind", "scope", "name", "version", "polygons", "percent", "draw_calls", "texture_bytes"
   };
 
   private SceneStatisticsCsvWriter() {}
@@ -62,15 +63,31 @@ public final class SceneStatisticsCsvWriter {
   }
 
   private static void rows(SceneStatistics statistics, Rows csv) {
-    csv.row("total", "", statistics.scene(), "", statistics.totalHigh(), "100.00");
+    csv.row("total", "", statistics.scene(), "", statistics.totalHigh(), "100.00", "", "");
     for (ObjectCount object : statistics.objects()) {
       print(csv, object);
     }
     for (ScopeCount scope : statistics.scopes()) {
-      csv.row("high", scope.scope(), "", "", scope.high(), "100.00");
+      csv.row(
+          "high",
+          scope.scope(),
+          "",
+          "",
+          scope.high(),
+          "100.00",
+          scope.highCost().drawCalls(),
+          scope.highCost().textureBytes());
       for (StateCount state : scope.states()) {
         String name = String.join("+", state.schemas());
-        csv.row("state", scope.scope(), name, "", state.polygons(), percent(state.percent()));
+        csv.row(
+            "state",
+            scope.scope(),
+            name,
+            "",
+            state.polygons(),
+            percent(state.percent()),
+            state.cost().drawCalls(),
+            state.cost().textureBytes());
       }
     }
   }
@@ -84,7 +101,9 @@ public final class SceneStatisticsCsvWriter {
           object.switchName(),
           i + 1,
           versions.get(i),
-          percent(object.percent(i)));
+          percent(object.percent(i)),
+          "",
+          "");
     }
   }
 

@@ -34,9 +34,16 @@ public final class SceneStatisticsJsonWriter {
         ObjectNode object = states.addObject();
         state.schemas().forEach(object.putArray("schemas")::add);
         object.put("polygons", state.polygons()).put("percent", rounded(state.percent()));
+        cost(object, state.cost(), "");
       }
+      cost(scope, count.highCost(), "high_");
     }
     return JsonWriter.of(json);
+  }
+
+  private static void cost(ObjectNode object, RenderingCost cost, String prefix) {
+    object.put(prefix + "draw_calls", cost.drawCalls());
+    object.put(prefix + "texture_bytes", cost.textureBytes());
   }
 
   private static double rounded(double percent) {

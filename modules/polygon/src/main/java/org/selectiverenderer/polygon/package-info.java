@@ -12,6 +12,9 @@
  * edited: it caches the inlined files that it has measured, and returns the contribution of each
  * object to each state.
  *
+ * <p>Beside polygons, {@link org.selectiverenderer.polygon.RenderingCost} has the draw calls and the
+ * bytes of textures of a state; of pictures only the sizes are read.
+ *
  * <p>In: a scene file. Out: {@link org.selectiverenderer.polygon.SceneStatistics}, as text, CSV,
  * JSON and bar charts, and problems. {@link org.selectiverenderer.polygon.EnrichmentPolygonModel}
  * gives the validator the same counts, boxes and states for files that the validator has read

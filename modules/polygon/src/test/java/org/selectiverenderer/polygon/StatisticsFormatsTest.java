@@ -26,11 +26,16 @@ class StatisticsFormatsTest {
                   "Office",
                   291489,
                   List.of(
-                      new StateCount(List.of("OfficeSchema"), 67003, 100.0 * 67003 / 291489),
+                      new StateCount(
+                          List.of("OfficeSchema"),
+                          67003,
+                          100.0 * 67003 / 291489,
+                          new RenderingCost(118, 1_398_100)),
                       new StateCount(
                           List.of("DeskSchema", "BookcaseSchema"),
                           165608,
-                          100.0 * 165608 / 291489)))));
+                          100.0 * 165608 / 291489)),
+                  new RenderingCost(120, 5_592_404))));
 
   private final Locale before = Locale.getDefault();
 
@@ -73,16 +78,16 @@ class StatisticsFormatsTest {
     assertThat(SceneStatisticsCsvWriter.of(SCENE))
         .isEqualTo(
             """
-            kind,scope,name,version,polygons,percent
-            total,,office.x3d,,291500,100.00
-            object,Office,Switch_TrashCan,1,1064,100.00
-            object,Office,Switch_TrashCan,2,93,8.74
-            object,,"Switch, far away",1,3,25.00
-            object,,"Switch, far away",2,12,100.00
-            object,,"Switch, far away",3,4,33.33
-            high,Office,,,291489,100.00
-            state,Office,OfficeSchema,,67003,22.99
-            state,Office,DeskSchema+BookcaseSchema,,165608,56.81
+            kind,scope,name,version,polygons,percent,draw_calls,texture_bytes
+            total,,office.x3d,,291500,100.00,,
+            object,Office,Switch_TrashCan,1,1064,100.00,,
+            object,Office,Switch_TrashCan,2,93,8.74,,
+            object,,"Switch, far away",1,3,25.00,,
+            object,,"Switch, far away",2,12,100.00,,
+            object,,"Switch, far away",3,4,33.33,,
+            high,Office,,,291489,100.00,120,5592404
+            state,Office,OfficeSchema,,67003,22.99,118,1398100
+            state,Office,DeskSchema+BookcaseSchema,,165608,56.81,0,0
             """);
   }
 
@@ -95,9 +100,11 @@ class StatisticsFormatsTest {
             "switch" : "Switch_TrashCan", "scope" : "Office", "versions" : [ 1064, 93 ] }, {
             "switch" : "Switch, far away", "scope" : null, "versions" : [ 3, 12, 4 ] } ],
             "scopes" : [ { "scope" : "Office", "high" : 291489, "states" : [ {
-            "schemas" : [ "OfficeSchema" ], "polygons" : 67003, "percent" : 22.99 }, {
-            "schemas" : [ "DeskSchema", "BookcaseSchema" ], "polygons" : 165608, "percent" : 56.81
-            } ] } ] }
+            "schemas" : [ "OfficeSchema" ], "polygons" : 67003, "percent" : 22.99,
+            "draw_calls" : 118, "texture_bytes" : 1398100 }, {
+            "schemas" : [ "DeskSchema", "BookcaseSchema" ], "polygons" : 165608, "percent" : 56.81,
+            "draw_calls" : 0, "texture_bytes" : 0 } ],
+            "high_draw_calls" : 120, "high_texture_bytes" : 5592404 } ] }
             """);
   }
 }

@@ -35,16 +35,16 @@ final class FieldQualityReader {
             .orElse(List.of());
     for (MetadataNode set : sets(ofSwitch)) {
       Optional<FieldReference> target = target(set);
-      if (target.isPresent() && !taken.add(target.get())) {
+      Optional<Quality> quality = quality(set);
+      if (target.isEmpty() || quality.isEmpty()) {
+        continue; // reported
+      }
+      if (!taken.add(target.get())) {
         report(
             Kind.FIELD_TWICE,
             set,
             "several qualities set " + target.get() + "; only the first one does");
         continue;
-      }
-      Optional<Quality> quality = quality(set);
-      if (target.isEmpty() || quality.isEmpty()) {
-        continue; // reported
       }
       List<FieldLevel> levels = levels(set, versions);
       if (!levels.isEmpty()) {

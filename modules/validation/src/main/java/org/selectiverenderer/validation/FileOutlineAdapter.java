@@ -9,26 +9,37 @@ import org.selectiverenderer.geometry.BoundingBox;
 import org.selectiverenderer.polygon.EnrichmentPolygonModel;
 import org.selectiverenderer.polygon.FilePolygonMeasurement;
 import org.selectiverenderer.polygon.GeometrySize;
+import org.selectiverenderer.polygon.TexturePicture;
+import org.selectiverenderer.polygon.TexturePictureReader;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.read.X3dFile;
+import org.selectiverenderer.x3d.url.UrlResolver;
 
 /** Adapts a file outline to the polygon counter. */
 public final class FileOutlineAdapter implements FilePolygonMeasurement {
   private final FileOutline outline;
   private final SceneContext scene;
+  private final TexturePictureReader pictures;
   private final Map<FileOutline, FileOutlineAdapter> known;
 
   private FileOutlineAdapter(
-      FileOutline outline, SceneContext scene, Map<FileOutline, FileOutlineAdapter> known) {
+      FileOutline outline,
+      SceneContext scene,
+      TexturePictureReader pictures,
+      Map<FileOutline, FileOutlineAdapter> known) {
     this.outline = outline;
     this.scene = scene;
+    this.pictures = pictures;
     this.known = known;
   }
 
   /** Returns the enrichment of a scene with its polygon counts. */
   public static EnrichmentPolygonModel model(SceneContext scene) {
+    UrlResolver urls =
+        new UrlResolver(scene.main().file().folder(), scene.settings().access());
     return EnrichmentPolygonModel.of(
-        new FileOutlineAdapter(scene.main(), scene, new IdentityHashMap<>()));
+        new FileOutlineAdapter(
+            scene.main(), scene, new TexturePictureReader(urls), new IdentityHashMap<>()));
   }
 
   @Override
@@ -57,8 +68,14 @@ public final class FileOutlineAdapter implements FilePolygonMeasurement {
             .content(inline)
             .map(
                 content ->
-                    known.computeIfAbsent(content, c -> new FileOutlineAdapter(c, scene, known)))
+                    known.computeIfAbsent(
+                        content, c -> new FileOutlineAdapter(c, scene, pictures, known)))
         : Optional.empty();
+  }
+
+  @Override
+  public Optional<TexturePicture> picture(ParsedNode texture, List<String> urls) {
+    return pictures.picture(texture, urls, outline.file().base());
   }
 
   /** Returns no problems, since the file's own checks report them. */

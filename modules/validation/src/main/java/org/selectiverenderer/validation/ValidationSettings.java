@@ -23,7 +23,7 @@ import org.selectiverenderer.x3d.url.OutsideRequests;
 public record ValidationSettings(
     Set<String> ignored,
     Map<String, Severity> severities,
-    List<PolygonBudget> budgets,
+    List<CostBudget> budgets,
     double megabytes,
     ContentAccessPolicy access,
     @Nullable Path file) {
@@ -44,7 +44,7 @@ public record ValidationSettings(
   }
 
   /** Returns the budgets that are not for the file of another scene, as paths and links go. */
-  public List<PolygonBudget> budgets(Path scene) {
+  public List<CostBudget> budgets(Path scene) {
     return budgets.stream()
         .filter(budget -> budget.file().isEmpty() || same(beside(budget.file()), scene))
         .toList();

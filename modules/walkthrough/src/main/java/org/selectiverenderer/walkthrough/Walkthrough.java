@@ -12,7 +12,6 @@ import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.World;
-import org.selectiverenderer.browser.loading.LoadedScene;
 import org.selectiverenderer.browser.loading.SceneLoader;
 import org.selectiverenderer.browser.nodes.NodeFactory;
 import org.selectiverenderer.browser.sai.EmbeddedBrowser;
@@ -22,6 +21,7 @@ import org.selectiverenderer.control.ControlProblem;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.walkthrough.budget.VersionBudget;
 import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
+import org.selectiverenderer.walkthrough.transition.TransitionTiming;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ReadLimits;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
@@ -45,6 +45,7 @@ public final class Walkthrough implements AutoCloseable {
   private final World world;
   private final SceneLoader loader;
   private final EmbeddedBrowser browser;
+  private final TransitionTiming timing;
   private final SelectiveController controller;
   private final ProblemCollector problems;
   private final Consumer<TimelineEvent> timeline;
@@ -67,7 +68,8 @@ public final class Walkthrough implements AutoCloseable {
     this.problems = problems;
     this.timeline = timeline;
     browser = new EmbeddedBrowser(world, loader, console, Map.of());
-    controller = new SelectiveController(browser, settings, this::heard, this::report);
+    timing = new TransitionTiming(world, settings.transition(), browser::nodeOf);
+    controller = new SelectiveController(browser, settings, timing, this::heard, this::report);
     budget =
         settings
             .budget()
@@ -103,13 +105,36 @@ public final class Walkthrough implements AutoCloseable {
       Consumer<TimelineEvent> timeline,
       Consumer<String> console)
       throws IOException {
+    return open(scene, settings, access, world -> {}, problem, timeline, console);
+  }
+
+  /**
+   * Loads a scene with all its Inlines and attaches the selective controller.
+   *
+   * @param access the files and URLs that the scene may load besides those in its folder
+   * @param loaded receives the world before the controller is attached; to begin with what other
+   *     threads can do meanwhile
+   * @param problem receives the problems of the scene in document order
+   * @param timeline receives the events of the time line in order
+   * @param console receives the text that a scene prints through the SAI
+   * @throws IOException with a one-line message when the scene cannot be read at all
+   */
+  public static Walkthrough open(
+      Path scene,
+      SelectiveController.Settings settings,
+      ContentAccessPolicy access,
+      Consumer<World> loaded,
+      Consumer<Problem> problem,
+      Consumer<TimelineEvent> timeline,
+      Consumer<String> console)
+      throws IOException {
     ProblemCollector problems = new ProblemCollector(problem);
     SceneLoader loader =
         new SceneLoader(
             NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), access, problems);
     try {
-      LoadedScene loaded = loader.load(scene);
-      World world = new World(loaded, problems);
+      World world = new World(loader.load(scene), problems);
+      loaded.accept(world);
       return new Walkthrough(world, loader, problems, settings, timeline, console);
     } catch (IOException | RuntimeException | Error e) {
       loader.close();
@@ -161,6 +186,11 @@ public final class Walkthrough implements AutoCloseable {
     return budget;
   }
 
+  /** Tells from now on what the viewer sees of each change, as far as rays can tell. */
+  public void observeSwitches() {
+    timing.observe();
+  }
+
   /**
    * Listens to the events that the scene marks: each value that {@link #MARKER} gets is passed on.
    */
@@ -209,8 +239,10 @@ public final class Walkthrough implements AutoCloseable {
       early.forEach(this::tell);
       early.clear();
     }
+    timing.begin(time);
     world.step(time, motion);
     controller.showDue(World.EPOCH + time);
+    timing.end();
     if (frames == 0) {
       startPolygons = polygons();
     }
@@ -225,7 +257,8 @@ public final class Walkthrough implements AutoCloseable {
           new TimelineEvent.End(
               world.time(),
               frames,
-              new TimelineEvent.PolygonSpan(startPolygons, polygons(), maxPolygons)));
+              new TimelineEvent.PolygonSpan(startPolygons, polygons(), maxPolygons),
+              controller.waiting()));
     }
   }
 

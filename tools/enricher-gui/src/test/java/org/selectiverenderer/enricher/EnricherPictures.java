@@ -2,6 +2,7 @@ package org.selectiverenderer.enricher;
 
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -15,6 +16,7 @@ import java.util.Map;
 import java.util.Properties;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
+import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -76,6 +78,7 @@ class EnricherPictures {
     all.put("enricher-find", this::find);
     all.put("enricher-fault", this::fault);
     all.put("enricher-switch", this::form);
+    all.put("enricher-qualities", this::qualities);
     all.put("enricher-cost", this::cost);
     all.put("enricher-compare", this::compare);
     all.put("enricher-handles", this::handles);
@@ -247,9 +250,23 @@ class EnricherPictures {
     write(part("Form of the selected node", JPanel.class));
   }
 
+  private void qualities() throws IOException {
+    open("LIGHT", 1280, 1190, Path.of("docs/examples/qualities/jug.x3d"));
+    drawn();
+    select("Switch_Jug");
+    JPanel form = part("Form of the selected node", JPanel.class);
+    JComponent versions = part("Versions differ in", JComponent.class);
+    edt(
+        () -> {
+          JComponent list = (JComponent) versions.getParent();
+          list.scrollRectToVisible(new Rectangle(0, 0, 1, form.getHeight()));
+        });
+    write(form);
+  }
+
   private void cost() throws IOException {
     limits = limits();
-    open("LIGHT", 1500, 1190, APARTMENT);
+    open("LIGHT", 1590, 1190, APARTMENT);
     tab(SCHEMAS);
     JTable states = part("Polygons by area and schemas", JTable.class);
     hands.await("the count", () -> states.getRowCount() > 0);

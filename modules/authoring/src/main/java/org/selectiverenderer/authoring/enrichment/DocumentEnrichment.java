@@ -28,6 +28,7 @@ public final class DocumentEnrichment {
   private record Read(long revision, boolean shared, Object node) {}
 
   private final SceneDocument document;
+  private final NodeCatalogue catalogue;
   private final EnrichedNodeReader reading;
   private final Map<DocumentElement, Read> read = new IdentityHashMap<>();
   private List<DocumentElement> switches = List.of();
@@ -42,6 +43,7 @@ public final class DocumentEnrichment {
 
   public DocumentEnrichment(SceneDocument document, NodeCatalogue catalogue) {
     this.document = document;
+    this.catalogue = catalogue;
     this.reading = new EnrichedNodeReader(document, catalogue);
   }
 
@@ -124,6 +126,16 @@ public final class DocumentEnrichment {
     return named;
   }
 
+  private void use(
+      SchemaUsage<DocumentElement> found, EnrichedSwitch node, EnrichedField field) {
+    List<String> present =
+        new QualityTargets(document, catalogue).present(node.element(), field.target());
+    for (EnrichedField.Level level : field.levels()) {
+      found.choice(
+          node.element(), level.metadata().schemas(), level.values().equals(present));
+    }
+  }
+
   /** Returns which schemas are activated by areas and which contain objects. */
   public SchemaUsage<DocumentElement> use() {
     list();
@@ -135,6 +147,7 @@ public final class DocumentEnrichment {
           found.choice(
               node.element(), choice.values().schemas(), choice.index() == node.whichChoice());
         }
+        node.fields().forEach(field -> use(found, node, field));
       }
       use = found;
     }

@@ -8,6 +8,7 @@ import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch.ChoiceNode;
 import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.schema.FieldQuality;
 import org.selectiverenderer.schema.MetadataNames;
 import org.selectiverenderer.schema.SchemaProblem;
 import org.selectiverenderer.schema.SchemaReader;
@@ -37,6 +38,7 @@ final class EnrichedNodeReader {
     SchemaReader reader = new SchemaReader(problem -> findings.add(finding(problem)));
     Optional<SwitchSchemas> schemas =
         metadata.flatMap(source -> reader.switchNode(source, children.size()));
+    List<FieldQuality> qualities = metadata.map(reader::fieldQualities).orElse(List.of());
     List<VersionMetadata> described = schemas.map(SwitchSchemas::choices).orElse(List.of());
     List<ChoiceNode> choices = new ArrayList<>();
     for (int i = 0; i < children.size(); i++) {
@@ -52,6 +54,8 @@ final class EnrichedNodeReader {
         choices,
         whichChoice(element),
         schemas,
+        metadata.map(EnrichedFieldReader::read).orElse(List.of()),
+        qualities,
         findings);
   }
 

@@ -3,6 +3,8 @@ package org.selectiverenderer.authoring.enrichment;
 import java.util.List;
 import java.util.Optional;
 import org.selectiverenderer.authoring.ElementFinding;
+import org.selectiverenderer.schema.FieldQuality;
+import org.selectiverenderer.schema.Quality;
 import org.selectiverenderer.schema.SwitchSchemas;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
@@ -14,6 +16,8 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  * @param choices its children in order
  * @param whichChoice index of the initially shown choice; -1 for none
  * @param schemas its schema metadata; empty where it has none
+ * @param fields its further qualities, which are values of fields, as they are written
+ * @param qualities the same with the schemas that activate their levels
  * @param findings the findings about its metadata
  */
 public record EnrichedSwitch(
@@ -23,9 +27,13 @@ public record EnrichedSwitch(
     List<ChoiceNode> choices,
     int whichChoice,
     Optional<SwitchSchemas> schemas,
+    List<EnrichedField> fields,
+    List<FieldQuality> qualities,
     List<ElementFinding> findings) {
   public EnrichedSwitch {
     choices = List.copyOf(choices);
+    fields = List.copyOf(fields);
+    qualities = List.copyOf(qualities);
     findings = List.copyOf(findings);
   }
 
@@ -40,6 +48,11 @@ public record EnrichedSwitch(
   /** Returns whether it has schema metadata. */
   public boolean enriched() {
     return schemas.isPresent();
+  }
+
+  /** Returns what its versions differ in: polygons, unless the metadata name another quality. */
+  public Quality quality() {
+    return schemas.map(SwitchSchemas::quality).orElse(Quality.POLYGONS);
   }
 
   /** Returns the metadata of all choices in order. */

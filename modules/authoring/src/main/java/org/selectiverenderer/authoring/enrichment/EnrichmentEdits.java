@@ -159,7 +159,23 @@ public final class EnrichmentEdits {
               new SensorSchemas(
                   without(schemas.enter(), schema), without(schemas.exit(), schema))));
     }
-    return all("Remove the schema " + schema, switches, sensors);
+    String name = "Remove the schema " + schema;
+    List<TextEdit> changes = new ArrayList<>(all(name, switches, sensors).changes());
+    enrichment.switches().forEach(node -> changes.addAll(levelsWithout(node, schema)));
+    return new Edit(name, changes);
+  }
+
+  private List<TextEdit> levelsWithout(EnrichedSwitch node, String schema) {
+    QualityEdits qualities = new QualityEdits(document);
+    List<TextEdit> changes = new ArrayList<>();
+    for (EnrichedField field : node.fields()) {
+      for (int i = 0; i < field.levels().size(); i++) {
+        ChoiceMetadata before = field.levels().get(i).metadata();
+        ChoiceMetadata wanted = before.with(without(before.schemas(), schema));
+        changes.addAll(qualities.described(node, field, i, wanted));
+      }
+    }
+    return changes;
   }
 
   /**

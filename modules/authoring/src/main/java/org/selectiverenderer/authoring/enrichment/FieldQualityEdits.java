@@ -14,6 +14,7 @@ import org.selectiverenderer.schema.FieldReference;
 import org.selectiverenderer.schema.MetadataNames;
 import org.selectiverenderer.schema.SchemaField;
 import org.selectiverenderer.schema.SchemaReader;
+import org.selectiverenderer.schema.VersionMetadata;
 import org.selectiverenderer.x3d.source.DocumentElement;
 import org.selectiverenderer.x3d.source.TextEdit;
 import org.selectiverenderer.x3d.write.FieldValueFormatter;
@@ -64,6 +65,17 @@ public final class FieldQualityEdits {
     return known.isEmpty()
         ? List.of(layout.insertLast(inner.get().meant(), xml.qualities("value", wanted)))
         : into(known.get(), wanted, xml);
+  }
+
+  /** Returns the lines of a level in a quality's element. */
+  List<String> level(DocumentElement quality, VersionMetadata metadata, List<String> values) {
+    return new QualityXml(layout.quote(quality), layout.step(quality))
+        .level(new FieldLevel(metadata, values));
+  }
+
+  /** Returns the set of field qualities of a Switch. */
+  static Optional<MetadataElement> known(MetadataElement ofSwitch) {
+    return ofSwitch.metadata().flatMap(FieldQualityEdits::qualities);
   }
 
   private static Optional<MetadataElement> qualities(MetadataElement inner) {

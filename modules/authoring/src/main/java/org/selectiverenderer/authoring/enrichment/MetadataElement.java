@@ -42,6 +42,11 @@ final class MetadataElement implements MetadataNode {
         .map(element -> new MetadataElement(document, element));
   }
 
+  /** Returns the view of an element that is metadata. */
+  static MetadataElement at(SceneDocument document, DocumentElement element) {
+    return new MetadataElement(document, element);
+  }
+
   static boolean isMetadata(DocumentElement element) {
     return switch (element.name()) {
       case SET,

@@ -9,6 +9,8 @@ import java.util.Optional;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.schema.ConsistencyType;
+import org.selectiverenderer.schema.FieldQuality;
+import org.selectiverenderer.schema.Quality;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
@@ -77,6 +79,25 @@ public final class ObjectSchemaMatrix {
       }
     }
     return Optional.empty();
+  }
+
+  /**
+   * Returns the degrees of the object's other qualities in a schema, in the order of the text; a
+   * level without a degree has that of its position.
+   */
+  public Map<Quality, ConsistencyDegree> levels(EnrichedSwitch object, String schema) {
+    Map<Quality, ConsistencyDegree> levels = new LinkedHashMap<>();
+    for (FieldQuality quality : object.qualities()) {
+      Integer level = quality.schemas().choiceBySchema().get(schema);
+      if (level != null) {
+        int count = quality.levels().size();
+        levels.putIfAbsent(
+            quality.quality(),
+            quality.levels().get(level).metadata().degree()
+                .orElse(VersionDegreeMapping.degree(level, count)));
+      }
+    }
+    return levels;
   }
 
   /**

@@ -24,6 +24,7 @@ import org.selectiverenderer.authoring.ratings.GazeProposal;
 import org.selectiverenderer.authoring.ratings.ObjectNameMatcher;
 import org.selectiverenderer.authoring.ratings.ObjectNameMatcher.Match;
 import org.selectiverenderer.authoring.ratings.RatingPlan;
+import org.selectiverenderer.authoring.ratings.RatingScale;
 import org.selectiverenderer.authoring.ratings.Ratings;
 import org.selectiverenderer.authoring.ratings.ViewedObjects;
 import org.selectiverenderer.base.files.InputFileReader;
@@ -55,6 +56,7 @@ public final class HeadlessEnrichment {
    * The input and output files of an enrichment.
    *
    * @param ratings RATINGS.csv, or null
+   * @param scale how its ratings choose among versions
    * @param metadata METADATA.csv, or null
    * @param gaze proposals from head logs, or null; with them, ratings are not written themselves
    *     but are what the proposals are shrunk towards
@@ -63,12 +65,13 @@ public final class HeadlessEnrichment {
   public record Request(
       Path scene,
       @Nullable Path ratings,
+      RatingScale scale,
       @Nullable Path metadata,
       @Nullable GazeProposalSource gaze,
       Path output) {
-    /** Creates a request without head logs. */
+    /** Makes a request without head logs, in which ratings count by the thesis's bands. */
     public Request(Path scene, @Nullable Path ratings, @Nullable Path metadata, Path output) {
-      this(scene, ratings, metadata, null, output);
+      this(scene, ratings, RatingScale.BANDS, metadata, null, output);
     }
   }
 
@@ -106,20 +109,20 @@ public final class HeadlessEnrichment {
     }
     boolean done =
         (request.gaze() != null
-                ? run.gaze(request.gaze(), request.ratings())
-                : request.ratings() == null || run.ratings(request.ratings()))
+                ? run.gaze(request.gaze(), request.ratings(), request.scale())
+                : request.ratings() == null || run.ratings(request.ratings(), request.scale()))
             && (request.metadata() == null || run.metadata(request.metadata()));
     return done ? Optional.of(run) : Optional.empty();
   }
 
-  private boolean ratings(Path table) throws IOException {
+  private boolean ratings(Path table, RatingScale scale) throws IOException {
     Optional<Ratings> ratings = Ratings.read(table.toString(), read(table), problems);
     if (ratings.isEmpty()) {
       return false;
     }
     ObjectNameMatcher matching =
         new ObjectNameMatcher(ratings.get().means().keySet(), enrichment.switches());
-    RatingPlan plan = RatingPlan.of(enrichment, ratings.get(), matching, true);
+    RatingPlan plan = RatingPlan.of(enrichment, ratings.get(), matching, true, scale);
     plan.unused().forEach(match -> unused(table, match));
     String following =
         plan.rows().stream()
@@ -141,7 +144,8 @@ public final class HeadlessEnrichment {
     return perform(plan.edit("Import ratings"));
   }
 
-  private boolean gaze(GazeProposalSource source, @Nullable Path table) throws IOException {
+  private boolean gaze(GazeProposalSource source, @Nullable Path table, RatingScale scale)
+      throws IOException {
     Ratings prior = new Ratings(Map.of());
     if (table != null) {
       Optional<Ratings> read = Ratings.read(table.toString(), read(table), problems);
@@ -159,13 +163,14 @@ public final class HeadlessEnrichment {
     }
     ViewedObjects objects = new ViewedObjects(enrichment, prior, matching);
     proposals = List.copyOf(source.of(objects, problems));
-    Ratings accepted = ViewedObjects.of(enrichment).with(new Ratings(Map.of()), proposals);
+    Ratings accepted = ViewedObjects.of(enrichment).with(new Ratings(Map.of()), proposals, scale);
     Set<String> names = accepted.means().keySet();
     ObjectNameMatcher switches = new ObjectNameMatcher(names, enrichment.switches());
     names.forEach(name -> switches.choose(name, name));
     return names.isEmpty()
         || perform(
-            RatingPlan.of(enrichment, accepted, switches, false).edit("Consistency from gaze"));
+            RatingPlan.of(enrichment, accepted, switches, false, scale)
+                .edit("Consistency from gaze"));
   }
 
   /** Returns the proposals from head logs, those that were not clear enough to write included. */

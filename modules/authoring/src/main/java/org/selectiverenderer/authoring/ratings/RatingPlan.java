@@ -80,12 +80,14 @@ public final class RatingPlan {
    *
    * @param unratedFollow whether a Switch without ratings and metadata counts as expected in the
    *     room of the rated objects around it, if these belong to one room
+   * @param scale how ratings choose among versions
    */
   public static RatingPlan of(
       DocumentEnrichment enrichment,
       Ratings ratings,
       ObjectNameMatcher matching,
-      boolean unratedFollow) {
+      boolean unratedFollow,
+      RatingScale scale) {
     RoomPartSchemaResolver places = new RoomPartSchemaResolver(enrichment.sensors(), ratings);
     Map<String, EnrichedSwitch> switches = enrichment.switchesByName();
     Map<String, Row> rows = new LinkedHashMap<>();
@@ -96,7 +98,7 @@ public final class RatingPlan {
         unused.add(match);
       } else {
         Map<String, Mean> means = ratings.means().get(match.object());
-        rows.put(node.name(), new ObjectRatingPlan(node, places).row(match.object(), means));
+        rows.put(node.name(), new ObjectRatingPlan(node, places, scale).row(match.object(), means));
       }
     }
     RoomSchemaInference rooms = new RoomSchemaInference(rows.values(), places);
@@ -107,7 +109,7 @@ public final class RatingPlan {
       }
       Optional<String> room = unratedFollow ? rooms.of(node) : Optional.empty();
       if (room.isPresent()) {
-        rows.put(node.name(), ObjectRatingPlan.expected(node, room.get()));
+        rows.put(node.name(), ObjectRatingPlan.expected(node, room.get(), scale));
       } else {
         unrated.add(node);
       }

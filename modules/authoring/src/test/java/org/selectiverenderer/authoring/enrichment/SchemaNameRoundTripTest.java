@@ -12,6 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.ratings.ObjectNameMatcher;
 import org.selectiverenderer.authoring.ratings.RatingPlan;
+import org.selectiverenderer.authoring.ratings.RatingScale;
 import org.selectiverenderer.authoring.ratings.Ratings;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.schema.SensorSchemas;
@@ -85,7 +86,7 @@ class SchemaNameRoundTripTest {
                 scene.enrichment,
                 ratings,
                 new ObjectNameMatcher(ratings.means().keySet(), scene.enrichment.switches()),
-                true)
+                true, RatingScale.BANDS)
             .edit("ratings"));
     assertThat(again().switchNode("Switch_A").values().get(1).schemas()).containsExactly(name);
     assertThat(problems.list()).isEmpty();

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.authoring.enrichment.ChoiceMetadata;
 import org.selectiverenderer.authoring.enrichment.EnrichmentScenes;
@@ -41,7 +42,7 @@ class RatingPlanTest {
     Ratings ratings = ratings(rows).orElseThrow();
     ObjectNameMatcher matching =
         new ObjectNameMatcher(ratings.means().keySet(), scene.enrichment.switches());
-    return RatingPlan.of(scene.enrichment, ratings, matching, true);
+    return RatingPlan.of(scene.enrichment, ratings, matching, true, RatingScale.BANDS);
   }
 
   @Test
@@ -131,7 +132,7 @@ class RatingPlanTest {
     assertThat(plan(scene, "mug,Desk,1\n").rows()).isEmpty();
     matching.choose("mug", "Switch_CoffeeMug");
     Ratings ratings = ratings("mug,Desk,1\n").orElseThrow();
-    assertThat(RatingPlan.of(scene.enrichment, ratings, matching, false).rows()).hasSize(1);
+    assertThat(RatingPlan.of(scene.enrichment, ratings, matching, false, RatingScale.BANDS).rows()).hasSize(1);
   }
 
   @ParameterizedTest
@@ -143,5 +144,39 @@ class RatingPlanTest {
     assertThat(Ratings.read("r.csv", table, problems).orElseThrow().means())
         .containsExactly(Map.entry("M\u00f6bel", Map.of("K\u00fcche", new Ratings.Mean(4.5, 1))));
     assertThat(problems.list()).isEmpty();
+  }
+
+  /** Known answers: the degree (r - 1) / 5 among 0, 1/2, 1 and among 0, 1/4, 1/2, 3/4, 1. */
+  @ParameterizedTest
+  @CsvSource({
+    "3, 1, 0", "3, 2.2, 0", "3, 2.25, 0", "3, 2.3, 1", "3, 4.7, 1", "3, 4.8, 2", "3, 6, 2",
+    "5, 1.6, 0", "5, 1.7, 1", "5, 2.8, 1", "5, 2.9, 2", "5, 4.1, 2", "5, 4.2, 3", "5, 5.3, 3",
+    "5, 5.4, 4", "2, 3.5, 0", "2, 3.6, 1"
+  })
+  void onAScaleRatingsChooseEvenlyAmongAllVersions(int versions, double rating, int version) {
+    EnrichmentScenes scene = EnrichmentScenes.with(object("Cup", versions));
+    Ratings ratings = ratings("Cup,Desk," + rating + "\n").orElseThrow();
+    RatingPlan plan =
+        RatingPlan.of(
+            scene.enrichment,
+            ratings,
+            new ObjectNameMatcher(ratings.means().keySet(), scene.enrichment.switches()),
+            true,
+            RatingScale.LINEAR);
+
+    List<ChoiceMetadata> choices = plan.rows().get(0).choices();
+    assertThat(choices.get(version).schemas()).containsExactly("Desk");
+    assertThat(choices.stream().filter(choice -> !choice.schemas().isEmpty())).hasSize(1);
+    double degree = version / (versions - 1.0);
+    assertThat(choices.get(version).degree()).contains(new ConsistencyDegree(degree));
+    assertThat(choices.get(version).type())
+        .contains(degree >= 0.5 ? ConsistencyType.CONSISTENT : ConsistencyType.INCONSISTENT);
+  }
+
+  /** By the bands, 4.2 is an expected object, however many versions there are. */
+  @Test
+  void byBandsAnExpectedObjectHasTheLastVersionOfFive() {
+    RatingPlan plan = plan(EnrichmentScenes.with(object("Cup", 5)), "Cup,Desk,4.2\n");
+    assertThat(plan.rows().get(0).choices().get(4).schemas()).containsExactly("Desk");
   }
 }

@@ -79,7 +79,7 @@ class ViewedObjectsTest {
     Ratings table = ratings("cup,DeskSchema,6\ncup,OfficeSchema,5\npen,OfficeSchema,5\n");
     Map<String, Map<String, Ratings.Mean>> means =
         objects(scene, table)
-            .with(table, List.of(proposal("Switch_Cup", "DeskSchema", 0.1, 2)))
+            .with(table, List.of(proposal("Switch_Cup", "DeskSchema", 0.1, 2)), RatingScale.BANDS)
             .means();
     assertThat(means.get("cup").get("DeskSchema").value()).isCloseTo(1.4, within(1e-12));
     assertThat(means.get("cup").get("DeskSchema").count()).isEqualTo(12);
@@ -96,7 +96,8 @@ class ViewedObjectsTest {
                     new Ratings(Map.of()),
                     List.of(
                         proposal("Switch_Cup", "DeskSchema", 0.1, 1),
-                        proposal("Switch_Cup", "Desk\nSchema", 0.1, 2)))
+                        proposal("Switch_Cup", "Desk\nSchema", 0.1, 2)),
+                    RatingScale.BANDS)
                 .means())
         .isEmpty();
   }
@@ -116,11 +117,12 @@ class ViewedObjectsTest {
         ViewedObjects.of(scene.enrichment)
             .with(
                 new Ratings(Map.of()),
-                List.of(proposal("Switch_Cup", "DeskSchema", degree, 4)));
+                List.of(proposal("Switch_Cup", "DeskSchema", degree, 4)),
+                RatingScale.BANDS);
     ObjectNameMatcher switches =
         new ObjectNameMatcher(accepted.means().keySet(), scene.enrichment.switches());
     List<ChoiceMetadata> choices =
-        RatingPlan.of(scene.enrichment, accepted, switches, false).rows().get(0).choices();
+        RatingPlan.of(scene.enrichment, accepted, switches, false, RatingScale.BANDS).rows().get(0).choices();
     for (int i = 0; i < choices.size(); i++) {
       if (!choices.get(i).isEmpty()) {
         assertThat(choices.get(i).type())

@@ -15,6 +15,9 @@ import org.selectiverenderer.bench.measure.Benchmark;
 import org.selectiverenderer.bench.measure.BenchmarkTextReport;
 import org.selectiverenderer.bench.measure.GrowthBenchmark;
 import org.selectiverenderer.bench.measure.GrowthTextReport;
+import org.selectiverenderer.bench.measure.VersionBenchmark;
+import org.selectiverenderer.bench.versions.VersionComparison;
+import org.selectiverenderer.bench.versions.VersionComparisonReport;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.Console;
@@ -35,7 +38,8 @@ import picocli.CommandLine.Option;
     footer = {
       "  ./selective-renderer bench --format text",
       "  ./selective-renderer bench --growth --format text",
-      "  ./selective-renderer bench --growth --series street --output street.json"
+      "  ./selective-renderer bench --growth --series street --output street.json",
+      "  ./selective-renderer bench --budget --output budget.json --format text"
     })
 final class BenchCommand extends CliCommand {
   private enum Format {
@@ -81,6 +85,21 @@ final class BenchCommand extends CliCommand {
   private @Nullable Set<GrowthSeries> series;
 
   @Option(
+      names = "--budget",
+      description =
+          "compares instead what pictures lose at equal budgets of triangles if versions are chosen "
+              + "by distance, by their error on the screen, by the thesis's rule and by --budget of "
+              + "run, on the apartment and a street of four")
+  private boolean budget;
+
+  @Option(
+      names = "--poses",
+      defaultValue = "12",
+      paramLabel = "N",
+      description = "poses of which --budget compares pictures (default: ${DEFAULT-VALUE})")
+  private int poses;
+
+  @Option(
       names = "--scenes",
       paramLabel = "DIR",
       description =
@@ -106,12 +125,18 @@ final class BenchCommand extends CliCommand {
     if (runs < 1) {
       throw CommandException.usage("--runs must be a whole number of at least 1");
     }
+    if (budget && (growth || scenes != null)) {
+      throw CommandException.usage("--budget measures alone; leave out --growth and --scenes");
+    }
+    if (poses < 1) {
+      throw CommandException.usage("--poses must be a whole number of at least 1");
+    }
     if (scenes != null) {
       writeScenes(scenes);
       return ExitStatus.DONE;
     }
     OutputFile.check("--output", output);
-    ObjectNode report = InterruptHandler.interrupts(() -> growth ? growth() : whole());
+    ObjectNode report = InterruptHandler.interrupts(this::measured);
     if (output != null) {
       OutputFile.write(output, JsonWriter.of(report));
     }
@@ -131,13 +156,29 @@ final class BenchCommand extends CliCommand {
     }
   }
 
+  private ObjectNode measured() throws IOException, InterruptedException {
+    if (budget) {
+      return compared();
+    }
+    return growth ? growth() : whole();
+  }
+
+  private ObjectNode compared() throws IOException {
+    needDisplay();
+    return VersionBenchmark.run(new VersionComparison(poses, this::progress));
+  }
+
   private ObjectNode whole() throws IOException, InterruptedException {
+    needDisplay();
+    return new Benchmark(program, runs, this::progress).run();
+  }
+
+  private static void needDisplay() {
     GlAvailability.check()
         .ifPresent(
             reason -> {
               throw CommandException.environment(reason);
             });
-    return new Benchmark(program, runs, this::progress).run();
   }
 
   private ObjectNode growth() throws IOException, InterruptedException {
@@ -152,6 +193,9 @@ final class BenchCommand extends CliCommand {
   }
 
   private String text(ObjectNode report) {
+    if (budget) {
+      return VersionComparisonReport.of(report.get("budget"));
+    }
     return growth ? GrowthTextReport.of(report) : BenchmarkTextReport.of(report);
   }
 }

@@ -1,5 +1,6 @@
 package org.selectiverenderer.browser.instance;
 
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -53,5 +54,19 @@ public record DrawProperties(@Nullable Line line, @Nullable Dot dot, @Nullable F
   /** Returns whether an area may be drawn with gaps. */
   public boolean hollow() {
     return fill != null && !fill.filled();
+  }
+
+  // Written out, as records link theirs when first called: the first frame would wait for it.
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof DrawProperties one
+        && Objects.equals(line, one.line)
+        && Objects.equals(dot, one.dot)
+        && Objects.equals(fill, one.fill);
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * (31 * Objects.hashCode(line) + Objects.hashCode(dot)) + Objects.hashCode(fill);
   }
 }

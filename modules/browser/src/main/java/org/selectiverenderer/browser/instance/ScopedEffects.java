@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Vector3dc;
 import org.joml.Vector4d;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The effects that apply to a shape because of its place in the scene graph: the LocalFog,
@@ -104,5 +105,21 @@ public record ScopedEffects(
       }
     }
     return false;
+  }
+
+  // Written out, as records link theirs when first called: the first frame would wait for it.
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof ScopedEffects one
+        && fogs.equals(one.fogs)
+        && planes.equals(one.planes)
+        && environments.equals(one.environments)
+        && everywhere.equals(one.everywhere);
+  }
+
+  @Override
+  public int hashCode() {
+    int shapes = 31 * fogs.hashCode() + planes.hashCode();
+    return 31 * (31 * shapes + environments.hashCode()) + everywhere.hashCode();
   }
 }

@@ -2,30 +2,49 @@ package org.selectiverenderer.browser.instance;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.ForkJoinTask;
 import java.util.function.IntConsumer;
 import java.util.function.IntToDoubleFunction;
 import java.util.function.IntToLongFunction;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.bvh.Bvh;
 import org.selectiverenderer.geometry.bvh.BvhBuilder;
 
 /**
  * A bounding volume hierarchy over the boxes of all shapes of an {@link InstanceTree}, shown or
- * hidden. It is built at the first search after the structure has changed, and refitted to shapes
- * that move.
+ * hidden. It is built at the first search after the structure has changed, or begun before by
+ * {@link #begin}, and refitted to shapes that move.
  */
 public final class ShapeTree {
   /** The number of moves per shape after which the hierarchy is built anew. */
   private static final int WORN = 4;
+
+  /** The number of shapes above which another thread saves time. */
+  private static final int MANY = 4_096;
 
   private final InstanceTree tree;
   private List<ShapeInstance> shapes = List.of();
   private Bvh boxes = BvhBuilder.build(0, (item, out) -> {});
   private long read;
   private long moves;
+  private @Nullable ForkJoinTask<Bvh> building;
 
   ShapeTree(InstanceTree tree) {
     this.tree = tree;
     read = -1;
+  }
+
+  /**
+   * Begins to build the hierarchy of the present structure, by another thread; the first search
+   * waits for it. Few shapes are left to the first search.
+   */
+  public void begin() {
+    if (shapes != tree.shapes() && tree.shapes().size() >= MANY) {
+      read = tree.changes().end();
+      shapes = tree.shapes();
+      moves = 0;
+      building = BvhBuilder.begin(shapes.size(), this::box);
+    }
   }
 
   /**
@@ -61,6 +80,10 @@ public final class ShapeTree {
   }
 
   private void refresh() {
+    if (building != null) {
+      boxes = building.join();
+      building = null;
+    }
     Optional<List<ShapeInstance>> changed = tree.changes().since(read);
     read = tree.changes().end();
     if (shapes != tree.shapes() || changed.isEmpty()) {

@@ -3,18 +3,13 @@ package org.selectiverenderer.browser.loading;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.Comparator;
-import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
-import java.util.stream.Stream;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.instance.Background;
 import org.selectiverenderer.browser.loading.LoadedFile.Outcome;
@@ -217,26 +212,19 @@ final class SceneFileLoader {
   }
 
   private void mesh(ParsedNode geometry, LoadedFile content, ProblemCollector problems) {
-    Optional<Mesh> mesh = tessellator.tessellate(geometry, problems);
+    Optional<Mesh> mesh = tessellator.tessellate(geometry, problems).map(Mesh::compact);
     content.meshes().put(geometry, mesh);
     mesh.ifPresent(made -> pack(geometry, made));
   }
 
-  /** Packs what a mesh has been made of, save the arrays that the mesh itself uses. */
+  /** Packs what a mesh has been made of, save the arrays that the mesh itself keeps. */
   private static void pack(ParsedNode geometry, Mesh mesh) {
-    Set<Object> used = Collections.newSetFromMap(new IdentityHashMap<>());
-    used.add(mesh.positions());
-    used.add(mesh.indices());
-    Stream.of(mesh.normals(), mesh.colors(), mesh.texCoords())
-        .filter(Objects::nonNull)
-        .forEach(used::add);
-    mesh.moreTexCoords().forEach(more -> used.add(more.values()));
-    geometry.pack(used::contains);
+    geometry.pack(mesh::keeps);
     for (FieldDefinition field : geometry.type().fields()) {
       if (field.type() == FieldType.SFNode
           && geometry.value(field.index()) instanceof ParsedNode property
           && property.type().is("X3DGeometricPropertyNode")) {
-        property.pack(used::contains);
+        property.pack(mesh::keeps);
       }
     }
   }

@@ -20,11 +20,13 @@ import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.browser.scene.SafeListenerInvoker;
 import org.selectiverenderer.browser.scene.Scene;
 import org.selectiverenderer.sai.InlineSceneAccess;
+import org.selectiverenderer.sai.NodeNameAccess;
 import org.selectiverenderer.sai.ProtoBodyAccess;
 import org.web3d.x3d.sai.BrowserEvent;
 import org.web3d.x3d.sai.BrowserListener;
 import org.web3d.x3d.sai.ComponentInfo;
 import org.web3d.x3d.sai.ExternalBrowser;
+import org.web3d.x3d.sai.InvalidExecutionContextException;
 import org.web3d.x3d.sai.InvalidNodeException;
 import org.web3d.x3d.sai.InvalidURLException;
 import org.web3d.x3d.sai.InvalidX3DException;
@@ -34,7 +36,8 @@ import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.X3DScene;
 
 /** The embedded browser behind the SAI. Its owner steps its world. Thread-safe. */
-public final class EmbeddedBrowser implements ExternalBrowser, InlineSceneAccess, ProtoBodyAccess {
+public final class EmbeddedBrowser
+    implements ExternalBrowser, InlineSceneAccess, ProtoBodyAccess, NodeNameAccess {
   /**
    * An event of this browser's own: nodes were added or removed at the top of the scene it shows.
    */
@@ -103,9 +106,9 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlineSceneAccess
     return binding.peek(node).location();
   }
 
-  /** Returns the scene's node behind an object of the SAI, which instances and fields refer to. */
+  /** Returns the node of the world behind a node of the SAI; of a prototype instance, its body. */
   public Node nodeOf(X3DNode node) {
-    return binding.peek(node);
+    return binding.body(node);
   }
 
   @Override
@@ -116,6 +119,14 @@ public final class EmbeddedBrowser implements ExternalBrowser, InlineSceneAccess
   @Override
   public X3DNode bodyOf(X3DNode node) {
     return binding.exactly(binding.body(node));
+  }
+
+  @Override
+  public Map<X3DNode, String> namesOf(X3DExecutionContext scene, Set<X3DNode> nodes) {
+    if (scene instanceof EmbeddedScene own && own.binding() == binding) {
+      return own.namesOf(nodes);
+    }
+    throw new InvalidExecutionContextException("the scene belongs to another browser");
   }
 
   @Override

@@ -1,15 +1,18 @@
 package org.selectiverenderer.browser.sai;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.nodes.group.InlineNode;
 import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.browser.scene.PrototypeInstance;
 import org.selectiverenderer.browser.scene.Route;
 import org.selectiverenderer.browser.scene.Scene;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
@@ -32,7 +35,6 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
   private final SceneFactory maker;
   private final Scene scene;
   private final @Nullable String worldUrl;
-  private final int children;
   private volatile boolean shown;
   private volatile boolean disposed;
 
@@ -45,7 +47,6 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
     this.maker = maker;
     this.scene = scene;
     this.worldUrl = worldUrl;
-    children = scene.root().type().indexOf("children");
   }
 
   SaiContext binding() {
@@ -174,6 +175,23 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
                     .or(() -> Optional.ofNullable(scene.imported().get(name)))
                     .orElseThrow(
                         () -> new InvalidNodeException("no node has the DEF name " + name))));
+  }
+
+  /** Returns the DEF names in this scene of those of some nodes that have one. */
+  Map<X3DNode, String> namesOf(Set<X3DNode> nodes) {
+    return read(
+        () -> {
+          Map<X3DNode, String> names = new HashMap<>();
+          scene
+              .named()
+              .forEach(
+                  (name, node) ->
+                      binding
+                          .known(PrototypeInstance.body(PrototypeInstance.seen(node, null)))
+                          .filter(nodes::contains)
+                          .ifPresent(known -> names.put(known, name)));
+          return names;
+        });
   }
 
   @Override
@@ -308,11 +326,15 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
             return;
           }
           if (shown) {
-            binding.sendNow(scene.root(), children, List.copyOf(roots));
+            binding.sendNow(scene.root(), children(), List.copyOf(roots));
           } else {
-            scene.root().init(children, List.copyOf(roots));
+            scene.root().init(children(), List.copyOf(roots));
           }
         });
+  }
+
+  private int children() {
+    return scene.root().type().indexOf("children");
   }
 
   @Override

@@ -50,12 +50,22 @@ final class NodeTypeInfo {
     }
     type.ancestors().stream().sorted().forEach(names::add);
     names.forEach(name -> SaiTypeRegistry.find(name).ifPresent(all::add));
-    return all.stream().distinct().toArray(Class<?>[]::new);
+    return all.stream().distinct().filter(one -> needed(one, all)).toArray(Class<?>[]::new);
   }
 
   /**
-   * Returns X3DNode, the interface of the type itself, and those of its abstract types. Not to be
-   * modified.
+   * Returns whether a proxy must name an interface: X3DNode, whose methods are known as its own, and
+   * those that no other one extends. The JVM makes the class of a proxy from the methods of all that
+   * are named, which a start waits for.
+   */
+  private static boolean needed(Class<?> one, List<Class<?>> all) {
+    return one == X3DNode.class
+        || all.stream().noneMatch(other -> other != one && one.isAssignableFrom(other));
+  }
+
+  /**
+   * Returns X3DNode and the interfaces of the type itself and of its abstract types, as far as none
+   * of them extends the other. Not to be modified.
    */
   Class<?>[] interfaces() {
     return interfaces;

@@ -2,6 +2,7 @@ package org.selectiverenderer.browser.sai;
 
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Proxy;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.browser.World;
@@ -69,6 +70,15 @@ final class SaiContext {
   X3DNode exactly(Node node) {
     check();
     return proxy(node, true).proxy();
+  }
+
+  /** Returns the SAI object of a node itself, if it has one already. */
+  Optional<X3DNode> known(Node node) {
+    synchronized (node) {
+      return node.companion() instanceof NodeProxy known && known.binding() == this
+          ? Optional.of(known.proxy())
+          : Optional.empty();
+    }
   }
 
   /**

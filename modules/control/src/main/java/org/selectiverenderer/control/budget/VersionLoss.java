@@ -17,7 +17,7 @@ public final class VersionLoss {
   private static final double CONSISTENT = 0.1;
 
   /** The share that counts of an object out of view, which may come into it at any moment. */
-  private static final double OUT_OF_VIEW = 1.0 / 16;
+  private static final double OUT_OF_VIEW = 1.0 / 4;
 
   /** The smallest angle that the eye resolves where it looks: a cycle of 1/48 of a degree. */
   private static final double SHARPEST = 1.0 / 48;

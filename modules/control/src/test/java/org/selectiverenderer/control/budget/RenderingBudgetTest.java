@@ -45,7 +45,7 @@ class RenderingBudgetTest {
     assertThat(VersionLoss.weightOfConsistency(0.5)).isCloseTo(0.55, within(1e-12));
     assertThat(VersionLoss.weightOfConsistency(1)).isCloseTo(0.1, within(1e-12));
     assertThat(VersionLoss.weightOfView(true)).isEqualTo(1);
-    assertThat(VersionLoss.weightOfView(false)).isEqualTo(1.0 / 16);
+    assertThat(VersionLoss.weightOfView(false)).isEqualTo(0.25);
     assertThat(VersionLoss.weightOfGaze(0)).isEqualTo(1);
     // At 20 degrees a cycle is 1/48 + 0.44 degrees.
     assertThat(VersionLoss.weightOfGaze(20)).isCloseTo(1 / (1 + 48 * 0.44), within(1e-12));

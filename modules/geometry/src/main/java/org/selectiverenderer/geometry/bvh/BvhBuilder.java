@@ -58,16 +58,28 @@ public final class BvhBuilder {
 
   /** Builds a tree over the items 0 .. size - 1. */
   public static Bvh build(int size, Bvh.Boxes items) {
+    return new BvhBuilder(size, items).build(items);
+  }
+
+  /**
+   * Reads the boxes of the items 0 .. size - 1 and has a tree over them built by another thread.
+   * Items may move meanwhile: {@link Bvh#moved} is to be called for them afterwards.
+   */
+  public static ForkJoinTask<Bvh> begin(int size, Bvh.Boxes items) {
     BvhBuilder builder = new BvhBuilder(size, items);
-    if (size > 0) {
-      builder.split(0, 0, size, 0);
+    return ForkJoinPool.commonPool().submit(() -> builder.build(items));
+  }
+
+  private Bvh build(Bvh.Boxes items) {
+    if (order.length > 0) {
+      split(0, 0, order.length, 0);
     }
     return new Bvh(
         items,
-        builder.order,
-        Arrays.copyOf(builder.nodeBoxes, 6 * builder.nodes),
-        Arrays.copyOf(builder.first, builder.nodes),
-        Arrays.copyOf(builder.count, builder.nodes));
+        order,
+        Arrays.copyOf(nodeBoxes, 6 * nodes),
+        Arrays.copyOf(first, nodes),
+        Arrays.copyOf(count, nodes));
   }
 
   private void split(int node, int begin, int end, int depth) {

@@ -30,7 +30,7 @@ public final class DiffuseTexture {
   /** Returns whether a body has a texture and texture coordinates. */
   public static boolean on(Body body) {
     SurfaceMaterial surface = body.shape().surface();
-    return surface.lit() && surface.texture() != null && body.mesh().texCoords() != null;
+    return surface.lit() && surface.texture() != null && body.mesh().hasTexCoords();
   }
 
   /**

@@ -33,7 +33,7 @@ final class TriangleReflectance {
   static float[] of(SurfaceMaterial surface, Mesh mesh) {
     float opaque = 1 - surface.transparency();
     float[] colours = mesh.colors();
-    Texture texture = mesh.texCoords() == null ? null : surface.texture();
+    Texture texture = mesh.hasTexCoords() ? surface.texture() : null;
     if (colours == null && texture == null) {
       return limited(Photometry.linear(surface.diffuse()), opaque);
     }

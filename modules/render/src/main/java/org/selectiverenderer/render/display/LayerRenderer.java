@@ -10,6 +10,7 @@ import java.util.function.Supplier;
 import org.selectiverenderer.browser.LayerView;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.browser.camera.EyeCameras;
 import org.selectiverenderer.browser.camera.HiddenAreaMesh;
 import org.selectiverenderer.browser.camera.LayerCameraFactory;
 import org.selectiverenderer.browser.instance.Background;
@@ -51,7 +52,11 @@ final class LayerRenderer {
    */
   void begin(GL3 gl, World world, List<Camera> whole, boolean mono, double scale) {
     Camera eye = whole.get(0);
-    world.seenIn(eye.width() / scale, eye.height() / scale, mono ? Optional.empty() : eye.angle());
+    if (mono) {
+      world.seenIn(eye.width() / scale, eye.height() / scale, Optional.empty());
+    } else {
+      world.seenBy(EyeCameras.frames(whole, scale, world.viewer()), eye.angle());
+    }
     List<LayerView> layers = world.layers();
     forget(gl, layers);
     drawings.clear();

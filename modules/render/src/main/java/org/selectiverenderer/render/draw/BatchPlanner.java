@@ -7,6 +7,7 @@ import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.instance.ShapeInstance;
 import org.selectiverenderer.geometry.mesh.Mesh;
 import org.selectiverenderer.render.lighting.ShapeLighting;
@@ -45,7 +46,20 @@ final class BatchPlanner {
 
   private BatchPlanner() {}
 
-  private record LitLook(DrawState look, boolean byVertex) {}
+  private record LitLook(DrawState look, boolean byVertex) {
+    // Written out, as records link theirs when first called: the first frame would wait for it.
+    @Override
+    public boolean equals(@Nullable Object other) {
+      return other instanceof LitLook one
+          && look.equals(one.look)
+          && byVertex == one.byVertex;
+    }
+
+    @Override
+    public int hashCode() {
+      return 31 * look.hashCode() + Boolean.hashCode(byVertex);
+    }
+  }
 
   /**
    * A shape that may share a batch with shapes of equal draw state.
@@ -106,7 +120,7 @@ final class BatchPlanner {
   }
 
   private static boolean mergeable(Candidate candidate, int uses) {
-    int indices = candidate.mesh().indices().length;
+    int indices = candidate.mesh().indexCount();
     double determinant = candidate.shape().world().determinant3x3();
     // Blended shapes are drawn one by one, back to front; a moving shape may change between
     // per-vertex and per-pixel lighting.

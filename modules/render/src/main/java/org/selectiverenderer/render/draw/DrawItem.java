@@ -115,7 +115,7 @@ public record DrawItem(
    * @param all the indices of the refinement level that is drawn
    */
   long own(long drawn, int all) {
-    int own = source.indices().length;
+    int own = source.indexCount();
     return all == own ? drawn : Math.round(drawn / 3.0 * own / all) * 3;
   }
 }

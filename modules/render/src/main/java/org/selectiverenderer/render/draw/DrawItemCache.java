@@ -4,17 +4,13 @@ import com.jogamp.opengl.GL3;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.IntConsumer;
 import java.util.function.Predicate;
-import java.util.stream.IntStream;
-import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.instance.InstanceTree;
@@ -30,15 +26,7 @@ import org.selectiverenderer.render.lighting.LightingPlanner;
  * checked when the tree's structure or a light changes; otherwise only those of shapes that have
  * moved or changed, so that a frame's cost does not depend on how many shapes there are.
  *
- * <p>The shapes of a large scene have no items before an eye sees them or comes near ({@link
- * UnseenShapes}): so the memory and the first frame depend on what is seen and near, not on what
- * there is. A group of neighbours of which a shape is seen gets the items of its shown shapes in
- * that frame, those of its hidden ones as if they were new.
- *
- * <p>The upload of new shapes may be deferred and spread over the following frames. A deferred
- * hidden shape that becomes shown is uploaded in that very frame. If more shown shapes come into a
- * running scene than one frame can upload, the rest appears in the next frames, as if they had come
- * in several files; shapes that were in the tree before are never late.
+ * <p>Shapes that are not needed yet have none; {@link DeferredShapes} decides when they get theirs.
  */
 final class DrawItemCache implements Culler.Items {
   /**
@@ -48,60 +36,34 @@ final class DrawItemCache implements Culler.Items {
   private static final int MOST_MOVES = 3;
 
   /**
-   * The time of a frame that the upload of deferred shapes may take, in nanoseconds; and likewise
-   * for shapes that are near, but that no eye has seen.
-   */
-  private static final double DEFERRED = 5e6;
-
-  private static final double AHEAD = DEFERRED / 4;
-
-  /** The triangles that are uploaded in such a time at first and at most. */
-  private static final int PORTION = 20_000;
-
-  /** The least number of triangles that one shape counts for. */
-  private static final int LEAST_OF_ONE = 40;
-
-  /**
    * Unused resources are freed when the triangles of replaced items exceed the number of shapes
    * divided by this: looking at all shapes then costs little beside making these items.
    */
   private static final int FREED_AFTER = 8;
 
   private final GpuResourceCache assets;
+  private final DeferredShapes deferred;
   private @Nullable InstanceTree tree;
   private long structureVersion;
   private List<ShapeInstance> shapes = List.of();
   private @Nullable DrawItem[] slots = {};
-  private final BitSet waiting = new BitSet();
-  private final BitSet late = new BitSet(); // The deferred shapes that came shown.
   private final BitSet anywhere = new BitSet(); // The items that no box bounds.
   private @Nullable List<DrawItem> items = List.of();
   private boolean reflects;
   private double terms;
   private double pixels;
+  private long triangles; // Of all items.
 
   /** Triangles of items that were made anew since resources were freed, and one for each. */
   private long replaced;
 
-  private final UnseenShapes unseen;
-  private final BitSet inView = new BitSet(); // The groups of which some item is in view.
-  private Vector3dc eye = new Vector3d();
-  private long triangles; // Of all items.
-
-  /** The measured time of making a triangle ready, in nanoseconds. */
-  private double perTriangle = DEFERRED / PORTION;
-
   private final Map<ShapeInstance, Integer> moves = new IdentityHashMap<>();
-
-  /** The meshes of waiting shapes that are being packed. */
-  private final Map<ShapeInstance, Mesh> packing = new IdentityHashMap<>();
-
   private @Nullable LightChangeDetector watch;
   private long read;
 
   DrawItemCache(GpuResourceCache assets, UnseenShapes.Limits limits) {
     this.assets = assets;
-    unseen = new UnseenShapes(limits);
+    deferred = new DeferredShapes(assets, limits);
   }
 
   /** Returns all items in the order of their shapes; the same list until one of them changes. */
@@ -141,12 +103,12 @@ final class DrawItemCache implements Culler.Items {
 
   @Override
   public double terms() {
-    return Math.max(terms, unseen.terms());
+    return Math.max(terms, deferred.terms());
   }
 
   @Override
   public double pixels() {
-    return Math.max(pixels, unseen.pixels());
+    return Math.max(pixels, deferred.pixels());
   }
 
   /** Notes the bounds of an item, which count until the structure changes. */
@@ -173,25 +135,12 @@ final class DrawItemCache implements Culler.Items {
 
   @Override
   public boolean complete() {
-    return unseen.isEmpty();
+    return deferred.allSeen();
   }
 
   @Override
   public BitSet missing(Bvh.BoxTest test, Predicate<double[]> visible) {
-    BitSet found = new BitSet();
-    if (tree != null) {
-      tree.boxes()
-          .search(
-              test,
-              place -> {
-                if (unseen.contains(place)
-                    && shapes.get(place).shown()
-                    && visible.test(shapes.get(place).bounds())) {
-                  found.set(place);
-                }
-              });
-    }
-    return found;
+    return deferred.missing(test, visible);
   }
 
   /**
@@ -202,31 +151,12 @@ final class DrawItemCache implements Culler.Items {
    * @param most the most groups for which that is done now; the nearest
    */
   void see(GL3 gl, BitSet places, Vector3dc from, int most) {
-    Arrivals arrivals = new Arrivals(Long.MAX_VALUE);
-    int[] groups = unseen.groups(places, from);
-    for (int i = 0; i < Math.min(most, groups.length); i++) {
-      unseen
-          .unseen(groups[i])
-          .forEach(
-              place -> {
-                if (shapes.get(place).shown()) {
-                  arrivals.take(place);
-                } else {
-                  unseen.remove(place);
-                  waiting.set(place);
-                }
-              });
-    }
-    take(gl, arrivals);
+    make(gl, deferred.see(places, from, most));
   }
 
   /** Notes what is seen in a frame, and from where, by which the next decides what to keep. */
   void seen(VisibleSet visible, Vector3dc from) {
-    eye = new Vector3d(from);
-    inView.clear();
-    if (unseen.grouped()) {
-      visible.calls.forEach(item -> inView.set(unseen.group(item.shape().index())));
-    }
+    deferred.seen(visible, from);
   }
 
   /**
@@ -236,7 +166,6 @@ final class DrawItemCache implements Culler.Items {
    */
   void follow(GL3 gl, InstanceTree newTree, boolean all) {
     boolean changed = newTree != tree || newTree.structureVersion() != structureVersion;
-    boolean waited = !waiting.isEmpty();
     if (changed) {
       restructure(newTree, all);
     }
@@ -244,63 +173,16 @@ final class DrawItemCache implements Culler.Items {
     lights.look();
     boolean otherLight = lights.changed();
     BitSet candidates = candidates(newTree, changed || otherLight || lights.moved());
-    if (all && !changed) {
-      unseen.all().forEach(this::await);
-    }
-    if ((waited || all) && !changed) {
-      arrive(gl, all ? Long.MAX_VALUE : portion(DEFERRED), candidates);
-    } else if (!changed) {
-      approach(gl);
+    if (!changed) {
+      make(gl, deferred.next(all, triangles, candidates));
     }
     update(gl, changed, otherLight, candidates);
-    if (!changed && !all) {
-      giveUp();
+    if (!changed && !all && deferred.giveUp(() -> triangles, place -> put(place, null))) {
+      replaced = slots.length; // The resources are freed now.
     }
     if (changed || replaced > slots.length / FREED_AFTER) {
       replaced = 0;
       assets.keepOnly(gl, items());
-    }
-  }
-
-  /** Lets an unseen shape wait for its turn, as one that is near. */
-  private void await(int place) {
-    unseen.remove(place);
-    waiting.set(place);
-  }
-
-  /** Makes some shapes ready that are near, though no eye has seen them. */
-  private void approach(GL3 gl) {
-    if (unseen.isEmpty() || triangles >= unseen.limits().ahead()) {
-      return;
-    }
-    Arrivals arrivals = new Arrivals(portion(AHEAD));
-    int group = unseen.near(eye);
-    for (int place : unseen.unseen(group).toArray()) {
-      if (arrivals.left > 0) {
-        arrivals.takeIfReady(place);
-      }
-    }
-    take(gl, arrivals);
-  }
-
-  /** Gives up the items of groups that are far and not in view, if there are too many. */
-  private void giveUp() {
-    BitSet kept = (BitSet) inView.clone();
-    while (unseen.grouped() && triangles > unseen.limits().most()) {
-      int group = unseen.farthest(eye, kept);
-      if (group < 0) {
-        return;
-      }
-      kept.set(group);
-      BitSet gone = unseen.giveUp(group);
-      gone.stream()
-          .forEach(
-              place -> {
-                put(place, null);
-                waiting.clear(place);
-                late.clear(place);
-              });
-      replaced = gone.isEmpty() ? replaced : slots.length; // The resources are freed now.
     }
   }
 
@@ -318,105 +200,11 @@ final class DrawItemCache implements Culler.Items {
     return places;
   }
 
-  /**
-   * Uploads deferred shapes: all that have become shown, then late ones and then hidden ones up to
-   * the portion.
-   *
-   * @param portion triangles
-   * @param candidates the places of those that may have become shown
-   */
-  private void arrive(GL3 gl, long portion, BitSet candidates) {
-    Arrivals arrivals = new Arrivals(portion);
-    for (int i = late.nextSetBit(0); i >= 0; i = late.nextSetBit(i + 1)) {
-      late.set(i, shapes.get(i).shown()); // A shape hidden meanwhile is no longer late.
-    }
-    for (int i = candidates.nextSetBit(0); i >= 0; i = candidates.nextSetBit(i + 1)) {
-      if (waiting.get(i) && shapes.get(i).shown() && !late.get(i)) {
-        arrivals.take(i);
-      }
-    }
-    for (int i = late.nextSetBit(0); i >= 0 && arrivals.left > 0; i = late.nextSetBit(i + 1)) {
-      arrivals.takeIfReady(i);
-    }
-    for (int i = waiting.nextSetBit(0);
-        i >= 0 && arrivals.left > 0;
-        i = waiting.nextSetBit(i + 1)) {
-      arrivals.takeIfReady(i);
-    }
-    take(gl, arrivals);
-  }
-
-  /** Returns the triangles that can be made ready in some nanoseconds. */
-  private long portion(double time) {
-    return Math.max(1, Math.min(PORTION, Math.round(time / perTriangle)));
-  }
-
-  /** Makes shapes ready, and measures how long that takes. */
-  private void take(GL3 gl, Arrivals arrivals) {
+  /** Makes the items of deferred shapes, and measures how long that takes. */
+  private void make(GL3 gl, DeferredShapes.Arrivals arrivals) {
     long start = System.nanoTime();
     fill(arrivals.places, assets.prepare(gl, arrivals.requests, true));
-    arrivals.requests.forEach(request -> assets.forgetPacked(request.mesh()));
-    if (arrivals.taken > 0) {
-      double now = (System.nanoTime() - start) / (double) arrivals.taken;
-      perTriangle += (now - perTriangle) / 4; // One frame that was interrupted tells little.
-    }
-  }
-
-  /** The deferred shapes that are uploaded with this frame. */
-  private final class Arrivals {
-    final List<Integer> places = new ArrayList<>();
-    final List<LightingPlanner.Request> requests = new ArrayList<>();
-    private final long portion;
-    long left;
-    long taken;
-
-    Arrivals(long portion) {
-      this.portion = portion;
-      left = portion;
-    }
-
-    /** Takes a shape, unless its mesh is so large that it is still being packed. */
-    void takeIfReady(int place) {
-      ShapeInstance shape = shapes.get(place);
-      Mesh mesh = mesh(shape);
-      if (portion == Long.MAX_VALUE || mesh == null || assets.ready(mesh)) {
-        take(place);
-        return;
-      }
-      Mesh before = packing.put(shape, mesh);
-      if (before != null && before != mesh) {
-        assets.forgetPacked(before);
-        if (shape.shown()) {
-          take(place); // It changes faster than it is packed, and would never come.
-        }
-      }
-    }
-
-    void take(int place) {
-      ShapeInstance shape = shapes.get(place);
-      waiting.clear(place);
-      late.clear(place);
-      unseen.remove(place);
-      packing.remove(shape);
-      left -= cost(shape);
-      taken += cost(shape);
-      Mesh mesh = mesh(shape);
-      if (mesh != null) {
-        places.add(place);
-        requests.add(new LightingPlanner.Request(shape, mesh, shape.lights(), true));
-      }
-    }
-  }
-
-  private boolean ready(ShapeInstance shape) {
-    Mesh mesh = mesh(shape);
-    return mesh == null || assets.ready(mesh);
-  }
-
-  /** Returns the cost of uploading a shape, in triangles. */
-  private static long cost(ShapeInstance shape) {
-    Mesh mesh = mesh(shape);
-    return mesh == null ? 0 : Math.max(LEAST_OF_ONE, mesh.polygons());
+    deferred.made(arrivals, System.nanoTime() - start);
   }
 
   /** Makes those of the candidates anew that no longer match their shapes. */
@@ -425,10 +213,7 @@ final class DrawItemCache implements Culler.Items {
     List<Integer> places = new ArrayList<>();
     List<LightingPlanner.Request> requests = new ArrayList<>();
     for (int i = candidates.nextSetBit(0); i >= 0; i = candidates.nextSetBit(i + 1)) {
-      if (unseen.contains(i)) {
-        unseen.changed(i);
-      }
-      if (waiting.get(i) || unseen.contains(i)) {
+      if (deferred.changed(i)) {
         continue;
       }
       DrawItem slot = slots[i];
@@ -471,76 +256,40 @@ final class DrawItemCache implements Culler.Items {
     items = null;
   }
 
-  private static @Nullable Mesh mesh(ShapeInstance shape) {
+  /** Returns what a shape draws; null for nothing. */
+  static @Nullable Mesh mesh(ShapeInstance shape) {
     return shape.mesh().filter(mesh -> !mesh.isEmpty()).orElse(null);
-  }
-
-  /** Returns the shapes of the previous tree except those that are late already. */
-  private Set<ShapeInstance> older() {
-    Set<ShapeInstance> older = Collections.newSetFromMap(new IdentityHashMap<>());
-    for (int i = 0; i < shapes.size(); i++) {
-      if (!late.get(i)) {
-        older.add(shapes.get(i));
-      }
-    }
-    return older;
   }
 
   private void restructure(InstanceTree newTree, boolean all) {
     Map<ShapeInstance, DrawItem> known = new IdentityHashMap<>();
     items().forEach(item -> known.put(item.shape(), item));
-    Set<ShapeInstance> older = older();
-    boolean other = newTree != tree;
-    long left = all || other ? Long.MAX_VALUE : PORTION;
     tree = newTree;
     structureVersion = newTree.structureVersion();
     shapes = newTree.shapes();
     slots = new DrawItem[shapes.size()];
     reflects = shapes.stream().anyMatch(shape -> !shape.cubes().isEmpty());
-    if (all || reflects) {
-      unseen.clear();
-    } else if (other) {
-      unseen.begin(newTree, DrawItemCache::cost);
-    } else {
-      unseen.regroup(newTree, DrawItemCache::cost);
-    }
-    inView.clear();
     triangles = 0;
     items = null;
     terms = 0;
     pixels = 0;
     anywhere.clear();
-    waiting.clear();
-    late.clear();
     for (int i = 0; i < slots.length; i++) {
       DrawItem before = known.get(shapes.get(i));
-      // An item with another light or effect in scope is made anew; its meshes and textures are
-      // kept.
-      put(
-          i,
-          before != null
-                  && before.current()
-                  && before.lighting().scope().equals(before.shape().lights())
-                  && before.around().equals(before.shape().surroundings())
-              ? before
-              : null);
-      if (unseen.contains(i)) {
-        continue;
-      }
-      ShapeInstance shape = shapes.get(i);
-      boolean fresh = before == null && shape.shown() && !older.contains(shape);
-      late.set(i, fresh && (left <= 0 || !(all || other || ready(shape))));
-      left -= fresh && !late.get(i) ? cost(shape) : 0;
-      waiting.set(i, late.get(i) || (!all && before == null && !shape.shown()));
+      put(i, before != null && keepable(before) ? before : null);
     }
+    deferred.restructure(newTree, all, reflects, known::containsKey);
     watch = new LightChangeDetector(newTree);
-    Set<Mesh> wanted = Collections.newSetFromMap(new IdentityHashMap<>());
-    IntStream.concat(waiting.stream(), unseen.all())
-        .forEach(place -> shapes.get(place).mesh().ifPresent(wanted::add));
-    assets.keepPacked(wanted);
     moves.keySet().retainAll(known.keySet());
-    packing
-        .keySet()
-        .removeIf(shape -> shape.index() >= shapes.size() || shapes.get(shape.index()) != shape);
+  }
+
+  /**
+   * Returns whether an item is still right after a change of the tree's structure. One with another
+   * light or effect in scope is made anew; its meshes and textures are kept.
+   */
+  private static boolean keepable(DrawItem item) {
+    return item.current()
+        && item.lighting().scope().equals(item.shape().lights())
+        && item.around().equals(item.shape().surroundings());
   }
 }

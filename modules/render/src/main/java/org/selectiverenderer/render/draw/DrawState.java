@@ -1,5 +1,6 @@
 package org.selectiverenderer.render.draw;
 
+import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.instance.DrawProperties;
@@ -58,6 +59,35 @@ record DrawState(
         texture,
         reaching,
         other,
+        textureTransform,
+        blended,
+        layout,
+        stroke,
+        around,
+        primitive,
+        solid,
+        detail,
+        author);
+  }
+
+  // Written out, as records link theirs when first called: the first frame would wait for it.
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof DrawState one && parts().equals(one.parts());
+  }
+
+  @Override
+  public int hashCode() {
+    return parts().hashCode();
+  }
+
+  private List<@Nullable Object> parts() {
+    return Arrays.asList(
+        byPixel,
+        byVertex,
+        texture,
+        reaching,
+        material,
         textureTransform,
         blended,
         layout,

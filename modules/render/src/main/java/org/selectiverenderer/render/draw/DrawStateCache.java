@@ -8,6 +8,7 @@ import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import org.joml.Matrix4f;
 import org.jspecify.annotations.Nullable;
@@ -46,7 +47,20 @@ final class DrawStateCache {
   private long uploads;
 
   /** A program and texture, by which the drawing order is sorted. */
-  private record State(ShapeProgramCache.Family programs, @Nullable GpuTexture texture) {}
+  private record State(ShapeProgramCache.Family programs, @Nullable GpuTexture texture) {
+    // Written out, as records link theirs when first called: the first frame would wait for it.
+    @Override
+    public boolean equals(@Nullable Object other) {
+      return other instanceof State one
+          && programs.equals(one.programs)
+          && Objects.equals(texture, one.texture);
+    }
+
+    @Override
+    public int hashCode() {
+      return 31 * programs.hashCode() + Objects.hashCode(texture);
+    }
+  }
 
   DrawStateCache(TextureFilterQuality filters) {
     this.filters = filters;
@@ -84,7 +98,7 @@ final class DrawStateCache {
     Texture image = surface.glow() == null ? surface.texture() : surface.glow();
     GpuTexture texture =
         image == null
-                || drawn.texCoords() == null
+                || !drawn.hasTexCoords()
                 || drawn.primitive() == Mesh.Primitive.LINES // Lengths along the line.
             ? null
             : texture(gl, image);

@@ -3,6 +3,7 @@ package org.selectiverenderer.render.gpu;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The number of lights of each kind that a program computes; its uniform array has them in this
@@ -34,5 +35,19 @@ public record LightCounts(int directional, int points, int spots) {
 
   private String kind(int i) {
     return i < directional ? "DIRECTIONAL" : i < directional + points ? "POINT" : "SPOT";
+  }
+
+  // Written out, as records link theirs when first called: the first frame would wait for it.
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof LightCounts one
+        && directional == one.directional
+        && points == one.points
+        && spots == one.spots;
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * (31 * directional + points) + spots;
   }
 }

@@ -1,7 +1,9 @@
 package org.selectiverenderer.render.gpu;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The features that a shape needs of its shader. Each variant is a program of its own without
@@ -117,5 +119,33 @@ public record ShaderVariant(
     if (wanted) {
       defines.add(name);
     }
+  }
+
+  // Written out, as records link theirs when first called: the first frame would wait for it.
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof ShaderVariant one && parts().equals(one.parts());
+  }
+
+  @Override
+  public int hashCode() {
+    return parts().hashCode();
+  }
+
+  private List<@Nullable Object> parts() {
+    return Arrays.asList(
+        lit,
+        specular,
+        byVertex,
+        colors,
+        texture,
+        tint,
+        glow,
+        alphaTest,
+        twoSided,
+        points,
+        blended,
+        tinted,
+        detail);
   }
 }

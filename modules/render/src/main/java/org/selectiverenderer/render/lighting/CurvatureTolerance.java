@@ -1,6 +1,7 @@
 package org.selectiverenderer.render.lighting;
 
 import org.joml.Matrix4dc;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.instance.SurfaceMaterial;
 
 /**
@@ -86,5 +87,18 @@ public record CurvatureTolerance(double cosine, double bent) {
 
   private static double sum(double x, double y, double z) {
     return x * x + y * y + z * z;
+  }
+
+  // Written out, as records link theirs when first called: the first frame would wait for it.
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof CurvatureTolerance one
+        && Double.compare(cosine, one.cosine) == 0
+        && Double.compare(bent, one.bent) == 0;
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * Double.hashCode(cosine) + Double.hashCode(bent);
   }
 }

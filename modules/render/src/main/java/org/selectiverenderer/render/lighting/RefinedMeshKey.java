@@ -1,5 +1,6 @@
 package org.selectiverenderer.render.lighting;
 
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
@@ -19,5 +20,19 @@ public record RefinedMeshKey(Mesh source, CurvatureTolerance fineness, @Nullable
   /** Returns whether the mesh is drawn as it is. */
   public boolean isPlain() {
     return fineness.equals(CurvatureTolerance.NONE) && place == null;
+  }
+
+  // Written out, as records link theirs when first called: the first frame would wait for it.
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof RefinedMeshKey one
+        && source.equals(one.source)
+        && fineness.equals(one.fineness)
+        && Objects.equals(place, one.place);
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * (31 * source.hashCode() + fineness.hashCode()) + Objects.hashCode(place);
   }
 }

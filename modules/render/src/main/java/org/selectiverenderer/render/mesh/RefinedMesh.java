@@ -27,6 +27,6 @@ public record RefinedMesh(Mesh mesh, List<Stage> coarser) {
 
   /** Returns the number of indices of the coarsest level. */
   public int least() {
-    return coarser.isEmpty() ? mesh.indices().length : coarser.get(0).indices().length;
+    return coarser.isEmpty() ? mesh.indexCount() : coarser.get(0).indices().length;
   }
 }

@@ -1,6 +1,7 @@
 package org.selectiverenderer.render.mesh;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
@@ -30,7 +31,7 @@ public record VertexLayout(int stride, int normal, int color, int texCoord, List
       color = stride;
       stride += 4;
     }
-    if (mesh.texCoords() != null) {
+    if (mesh.hasTexCoords()) {
       texCoord = stride;
       stride += 8;
     }
@@ -42,5 +43,21 @@ public record VertexLayout(int stride, int normal, int color, int texCoord, List
       stride += 4 * size;
     }
     return new VertexLayout(stride, normal, color, texCoord, more);
+  }
+
+  // Written out, as records link theirs when first called: the first frame would wait for it.
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof VertexLayout one
+        && stride == one.stride
+        && normal == one.normal
+        && color == one.color
+        && texCoord == one.texCoord
+        && more.equals(one.more);
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * (31 * (31 * (31 * stride + normal) + color) + texCoord) + more.hashCode();
   }
 }

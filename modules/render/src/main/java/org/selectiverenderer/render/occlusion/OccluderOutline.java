@@ -6,6 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.geometry.TriangleMath;
 
 /**
@@ -30,7 +31,21 @@ final class OccluderOutline {
   }
 
   /** A vertex position; minus zero is normalised to zero. */
-  private record Place(float x, float y, float z) {}
+  private record Place(float x, float y, float z) {
+    // Written out, as records link theirs when first called: the first frame would wait for it.
+    @Override
+    public boolean equals(@Nullable Object other) {
+      return other instanceof Place one
+          && Float.compare(x, one.x) == 0
+          && Float.compare(y, one.y) == 0
+          && Float.compare(z, one.z) == 0;
+    }
+
+    @Override
+    public int hashCode() {
+      return 31 * (31 * Float.hashCode(x) + Float.hashCode(y)) + Float.hashCode(z);
+    }
+  }
 
   private record Edge(int low, int high) {
     static Edge of(int a, int b) {
@@ -39,6 +54,19 @@ final class OccluderOutline {
 
     int other(int corner) {
       return corner == low ? high : low;
+    }
+
+    // Written out, as records link theirs when first called: the first frame would wait for it.
+    @Override
+    public boolean equals(@Nullable Object other) {
+      return other instanceof Edge one
+          && low == one.low
+          && high == one.high;
+    }
+
+    @Override
+    public int hashCode() {
+      return 31 * low + high;
     }
   }
 

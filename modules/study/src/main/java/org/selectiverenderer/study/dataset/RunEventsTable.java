@@ -71,6 +71,15 @@ public final class RunEventsTable {
         TableColumn.text("object", "the Switch of the object that was switched, its DEF"),
         TableColumn.whole("version_from", "the choice that the Switch showed before, from 0"),
         TableColumn.whole("version_to", "the choice that it shows from then on, from 0"),
+        TableColumn.yesNo(
+            "visible",
+            "some of the object was in the view as it changed, and not hidden by others",
+            "the participant could not see the change",
+            "whether the object was seen as it changed, as far as rays from the eyes can tell"),
+        TableColumn.whole(
+            "pixels", "an estimate of how many pixels of the picture showed the object then"),
+        TableColumn.number(
+            "turning", "deg/s", "the rate at which the participant's view turned then"),
         TableColumn.text("text", "of a note, a problem or a flag"),
         TableColumn.number(
             "t", "s", "the time of the head log when it began, which stands still in pauses"),
@@ -138,7 +147,10 @@ public final class RunEventsTable {
                   "schemas", what.path("schema").asText(),
                   "object", what.path("switch").asText(),
                   "version_from", what.path("from").asInt(),
-                  "version_to", what.path("to").asInt()));
+                  "version_to", what.path("to").asInt(),
+                  "visible", visible(what),
+                  "pixels", number(what, "pixels"),
+                  "turning", number(what, "turning")));
       case "field" ->
           add(
               line,
@@ -150,12 +162,25 @@ public final class RunEventsTable {
                   "object", what.path("object").asText(),
                   "version_from", what.path("from").asInt(),
                   "version_to", what.path("to").asInt(),
+                  "visible", visible(what),
+                  "pixels", number(what, "pixels"),
+                  "turning", number(what, "turning"),
                   "text",
                       what.path("quality").asText() + " of " + what.path("field").asText()));
       default -> {
         // The row of the exposure has begin and end.
       }
     }
+  }
+
+  /** Returns whether a change was seen; null in records that do not tell. */
+  private static @Nullable String visible(JsonNode what) {
+    JsonNode visible = what.path("visible");
+    return visible.isBoolean() ? (visible.asBoolean() ? "yes" : "no") : null;
+  }
+
+  private static @Nullable Number number(JsonNode what, String member) {
+    return what.path(member).isNumber() ? what.path(member).numberValue() : null;
   }
 
   private static String schemas(JsonNode what) {
@@ -255,16 +280,25 @@ public final class RunEventsTable {
    * Returns the cells between {@code trial_type} and {@code t}; some are given as pairs of name and
    * value, the others are missing.
    */
-  private static List<@Nullable Object> cells(Object... given) {
+  private static List<@Nullable Object> cells(@Nullable Object... given) {
     Map<String, Object> values = new LinkedHashMap<>();
     for (int i = 0; i < given.length; i += 2) {
       Object value = given[i + 1];
       values.put(
-          (String) given[i], value instanceof JsonNode what ? what.path("sensor").asText() : value);
+          String.valueOf(given[i]), value instanceof JsonNode what ? what.path("sensor").asText() : value);
     }
     List<@Nullable Object> cells = new ArrayList<>();
     for (String column :
-        List.of("area", "schemas", "object", "version_from", "version_to", "text")) {
+        List.of(
+            "area",
+            "schemas",
+            "object",
+            "version_from",
+            "version_to",
+            "visible",
+            "pixels",
+            "turning",
+            "text")) {
       cells.add(values.get(column));
     }
     return cells;

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.selectiverenderer.apparatus.DisplayMode;
 import org.selectiverenderer.apparatus.MouseButtonMapping;
+import org.selectiverenderer.schema.SwitchTransition;
 import org.selectiverenderer.study.design.StudyDesign;
 import org.selectiverenderer.study.design.Trial;
 import org.selectiverenderer.study.design.TrialPhase;
@@ -33,6 +34,7 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
  * @param access which files other than their own the scenes may refer to
  * @param mute whether the scenes are shown without sound
  * @param triggers signals that sessions send by a serial port
+ * @param transition how objects change their versions, where a trial does not say otherwise
  */
 public record Study(
     Path file,
@@ -57,7 +59,8 @@ public record Study(
     LslSettings streams,
     ContentAccessPolicy access,
     boolean mute,
-    Optional<TriggerSettings> triggers) {
+    Optional<TriggerSettings> triggers,
+    SwitchTransition transition) {
 
   public Study {
     areas = List.copyOf(areas);
@@ -187,7 +190,8 @@ public record Study(
         streams,
         access,
         mute,
-        triggers);
+        triggers,
+        transition);
   }
 
   /** Returns the seed of a participant's condition {@code random}, always the same for them. */

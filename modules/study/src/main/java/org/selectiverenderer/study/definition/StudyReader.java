@@ -26,6 +26,7 @@ import org.selectiverenderer.formats.json.JsonObjectReader;
 import org.selectiverenderer.formats.json.JsonSettingsReader;
 import org.selectiverenderer.formats.json.LocatedJsonValue;
 import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.schema.SwitchTransition;
 import org.selectiverenderer.study.design.StudyDesign;
 import org.selectiverenderer.study.design.StudyGroup;
 import org.selectiverenderer.study.questionnaire.read.LocalizedTexts;
@@ -185,7 +186,8 @@ public final class StudyReader {
             StudyStreamsReader.read(keys),
             ContentAccessKeys.of(keys, file.toAbsolutePath()),
             keys.truth("mute", false),
-            TriggerSettingsReader.read(keys, design));
+            TriggerSettingsReader.read(keys, design),
+            TrialSettingsReader.transition(keys).orElse(SwitchTransition.AT_ONCE));
     if (areas.isEmpty() && design.blocks().isEmpty() && study.questionnaires().list().isEmpty()) {
       keys.fault(
           "the study has neither areas nor blocks nor questionnaires, so there is nothing to do");

@@ -16,6 +16,7 @@ import org.selectiverenderer.formats.csv.CsvRow;
 import org.selectiverenderer.formats.csv.CsvTable;
 import org.selectiverenderer.formats.json.JsonObjectReader;
 import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.schema.SwitchTransition;
 import org.selectiverenderer.study.definition.StudyQuestionnairesReader.FileOfKey;
 import org.selectiverenderer.study.design.TrialPhase;
 import org.selectiverenderer.study.design.TrialSettings;
@@ -71,7 +72,21 @@ final class TrialSettingsReader {
             ? Optional.of(keys.choice("light", List.of(true, false), on -> on ? "on" : "off", true))
             : Optional.empty(),
         display.flatMap(Display::mode),
-        display.map(Display::ipd).orElse(OptionalDouble.empty()));
+        display.map(Display::ipd).orElse(OptionalDouble.empty()),
+        transition(keys));
+  }
+
+  /** Reads how objects change their versions, which may be missing. */
+  static Optional<SwitchTransition> transition(JsonObjectReader keys) {
+    Optional<String> text = keys.text("switch", false);
+    Optional<SwitchTransition> known = text.flatMap(SwitchTransition::of);
+    if (text.isPresent() && known.isEmpty()) {
+      keys.fault(
+          "switch",
+          "'%s' is no way to change a version; choose at-once, fade:MS or unseen[:DEG_PER_S]"
+              .formatted(text.get()));
+    }
+    return known;
   }
 
   private record Display(Optional<DisplayMode> mode, OptionalDouble ipd) {}

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.selectiverenderer.apparatus.DisplayMode;
 import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.schema.SwitchTransition;
 
 /**
  * What a trial shows, as far as a level, a block or a stimulus determines it. An empty component is
@@ -24,6 +25,7 @@ import org.selectiverenderer.schema.Condition;
  * @param headlight whether the viewer's headlight is on
  * @param mode the display mode
  * @param ipd interpupillary distance in millimetres; 0 shows both eyes the same picture
+ * @param transition how objects change their versions
  */
 public record TrialSettings(
     Optional<Condition> condition,
@@ -34,7 +36,8 @@ public record TrialSettings(
     OptionalDouble seconds,
     Optional<Boolean> headlight,
     Optional<DisplayMode> mode,
-    OptionalDouble ipd) {
+    OptionalDouble ipd,
+    Optional<SwitchTransition> transition) {
   /** Settings that determine nothing. */
   public static final TrialSettings NONE =
       new TrialSettings(
@@ -50,6 +53,30 @@ public record TrialSettings(
 
   public TrialSettings {
     choices = Map.copyOf(choices);
+  }
+
+  /** Creates settings that leave open how objects change their versions. */
+  public TrialSettings(
+      Optional<Condition> condition,
+      Map<String, Integer> choices,
+      Optional<Path> scene,
+      Optional<String> area,
+      Optional<String> viewpoint,
+      OptionalDouble seconds,
+      Optional<Boolean> headlight,
+      Optional<DisplayMode> mode,
+      OptionalDouble ipd) {
+    this(
+        condition,
+        choices,
+        scene,
+        area,
+        viewpoint,
+        seconds,
+        headlight,
+        mode,
+        ipd,
+        Optional.empty());
   }
 
   /** Returns settings that determine the condition alone. */
@@ -80,6 +107,7 @@ public record TrialSettings(
         seconds.isPresent() || area.isPresent() ? seconds : general.seconds,
         headlight.or(() -> general.headlight),
         mode.or(() -> general.mode),
-        ipd.isPresent() ? ipd : general.ipd);
+        ipd.isPresent() ? ipd : general.ipd,
+        transition.or(() -> general.transition));
   }
 }

@@ -149,6 +149,17 @@ public final class HeadLogReport {
 
   /** Returns the analysis as one JSON object: several lines, the last one ended. */
   public static String json(HeadLogAnalysis analysis) {
+    return JsonWriter.of(tree(analysis));
+  }
+
+  /** Returns the analysis and the changes of versions as JSON. */
+  public static String json(HeadLogAnalysis analysis, SwitchSightings switches) {
+    ObjectNode root = tree(analysis);
+    switches.put(root);
+    return JsonWriter.of(root);
+  }
+
+  private static ObjectNode tree(HeadLogAnalysis analysis) {
     ObjectNode root = JsonTree.object();
     HeadLogMetadata shown = analysis.log().description();
     root.put("scene", shown.scene()).put("condition", shown.condition());
@@ -174,7 +185,7 @@ public final class HeadLogReport {
     }
     looks(root, analysis.head());
     analysis.eyes().ifPresent(eyes -> eyes(root.putObject("eyes"), eyes, shown.map()));
-    return JsonWriter.of(root);
+    return root;
   }
 
   private static void eyes(ObjectNode root, EyeTrackingAnalysis eyes, SceneMap map) {

@@ -133,7 +133,8 @@ public final class PreviewSession {
         study.streams(),
         study.access(),
         study.mute(),
-        Optional.empty());
+        Optional.empty(),
+        study.transition());
   }
 
   private static OptionalDouble shortened(OptionalDouble seconds, double speed) {
@@ -161,7 +162,8 @@ public final class PreviewSession {
         shortened(settings.seconds(), speed),
         settings.headlight(),
         settings.mode(),
-        settings.ipd());
+        settings.ipd(),
+        settings.transition());
   }
 
   private static TrialBlock shortened(TrialBlock block, double speed) {

@@ -59,14 +59,15 @@ class BidsDatasetTest {
         text("sub-001/ses-01/motion/sub-001_ses-01_task-exposurehall_run-01_events.tsv");
     assertThat(events.lines().map(line -> line.substring(0, line.lastIndexOf('\t'))))
         .containsExactly(
-            "onset\tduration\ttrial_type\tarea\tschemas\tobject\tversion_from\tversion_to\ttext\tt",
-            "1\t7\texposure\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\t1",
-            "2\t4.5\tenter\tDeskProx\tDeskSchema\tn/a\tn/a\tn/a\tn/a\t2",
-            "2\t0\tswitch\tn/a\tDeskSchema\tCoat\t1\t0\tn/a\t2",
-            "3\t2\tpause\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\t3",
-            "6\t0\tnote\tn/a\tn/a\tn/a\tn/a\tn/a\tsneezed, or \"coughed\"\t4",
-            "6.5\t0\texit\tDeskProx\tn/a\tn/a\tn/a\tn/a\tn/a\t4.5",
-            "7\t0\tflag\tn/a\tn/a\tn/a\tn/a\tn/a\tlow-frame-rate\t5");
+            "onset\tduration\ttrial_type\tarea\tschemas\tobject\tversion_from\tversion_to"
+                + "\tvisible\tpixels\tturning\ttext\tt",
+            "1\t7\texposure\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\t1",
+            "2\t4.5\tenter\tDeskProx\tDeskSchema\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\t2",
+            "2\t0\tswitch\tn/a\tDeskSchema\tCoat\t1\t0\tyes\t1204\t12.5\tn/a\t2",
+            "3\t2\tpause\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\t3",
+            "6\t0\tnote\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tsneezed, or \"coughed\"\t4",
+            "6.5\t0\texit\tDeskProx\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\t4.5",
+            "7\t0\tflag\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tn/a\tlow-frame-rate\t5");
   }
 
   @Test

@@ -65,7 +65,7 @@ public final class RecordedStudyFixture {
       {"time":"2026-03-01T10:00:12.000+02:00","event":"scene","step":"exposure-hall","what":{"t":0.0,"event":"start","switches":{"Coat":1}}}
       {"time":"2026-03-01T10:00:13.000+02:00","event":"shown","step":"exposure-hall","t":1.0}
       {"time":"2026-03-01T10:00:14.000+02:00","event":"scene","step":"exposure-hall","what":{"t":2.0,"event":"enter","sensor":"DeskProx","schemas":["DeskSchema"]}}
-      {"time":"2026-03-01T10:00:14.000+02:00","event":"scene","step":"exposure-hall","what":{"t":2.0,"event":"switch","switch":"Coat","from":1,"to":0,"schema":"DeskSchema"}}
+      {"time":"2026-03-01T10:00:14.000+02:00","event":"scene","step":"exposure-hall","what":{"t":2.0,"event":"switch","switch":"Coat","from":1,"to":0,"schema":"DeskSchema","visible":true,"pixels":1204,"turning":12.5}}
       {"time":"2026-03-01T10:00:15.000+02:00","event":"paused","step":"exposure-hall"}
       {"time":"2026-03-01T10:00:17.000+02:00","event":"continued","step":"exposure-hall"}
       {"time":"2026-03-01T10:00:18.000+02:00","event":"note","text":"sneezed,\\tor \\"coughed\\""}

@@ -11,8 +11,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.schema.SwitchTransition;
 import org.selectiverenderer.study.design.StudyGroup;
 import org.selectiverenderer.study.design.TrialBlock;
 
@@ -52,6 +54,34 @@ class StudyDesignReaderTest {
     Path file = folder.resolve("study.json");
     Files.writeString(file, text);
     return StudyReader.read(file, problems);
+  }
+
+  @Test
+  void theWayInWhichVersionsChangeIsOfTheStudyOrOfALevel() throws IOException {
+    ProblemCollector problems = new ProblemCollector();
+    String text =
+        STUDY
+            .replaceFirst("\\{", "{\"switch\": \"fade:500\", ")
+            .replace("\"light\": \"off\"", "\"light\": \"off\", \"switch\": \"unseen\"");
+    Study study = read(text, problems).orElseThrow(() -> new AssertionError(problems.list()));
+    assertThat(study.transition()).isEqualTo(new SwitchTransition.Fade(500));
+    assertThat(study.design().groups().get(0).settings().transition()).isEmpty();
+    assertThat(study.design().groups().get(1).settings().transition())
+        .contains(new SwitchTransition.Unseen(SwitchTransition.TURN));
+    assertThat(read(STUDY, problems).orElseThrow().transition())
+        .isEqualTo(SwitchTransition.AT_ONCE);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"fade", "fade:0", "fade:20000", "unseen:-1", "fade:1e3", "later"})
+  void anotherWayIsAFaultWithItsPlace(String spelling) throws IOException {
+    ProblemCollector problems = new ProblemCollector();
+    String text = STUDY.replaceFirst("\\{", "{\"switch\": \"" + spelling + "\", ");
+    assertThat(read(text, problems)).isEmpty();
+    assertThat(problems.list())
+        .singleElement()
+        .asString()
+        .contains("study.json:", spelling, "at-once, fade:MS or unseen");
   }
 
   @Test

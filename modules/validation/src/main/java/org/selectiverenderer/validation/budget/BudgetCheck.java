@@ -4,25 +4,26 @@ import java.util.List;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.polygon.EnrichmentPolygonModel;
+import org.selectiverenderer.validation.CostBudget;
+import org.selectiverenderer.validation.CostKind;
 import org.selectiverenderer.validation.FileOutlineAdapter;
 import org.selectiverenderer.validation.FindingCollector;
-import org.selectiverenderer.validation.PolygonBudget;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.SceneCheck;
 import org.selectiverenderer.validation.SceneContext;
 import org.selectiverenderer.x3d.read.ParsedNode;
 
-/** Checks the polygons of parts of a scene against their budgets. */
+/** Checks the costs of parts of a scene against their budgets. */
 final class BudgetCheck implements SceneCheck {
   @Override
   public void check(SceneContext view, FindingCollector findings) {
-    List<PolygonBudget> budgets = view.settings().budgets(view.main().file().path());
+    List<CostBudget> budgets = view.settings().budgets(view.main().file().path());
     if (!budgets.isEmpty()) {
       EnrichmentPolygonModel model = FileOutlineAdapter.model(view);
-      for (PolygonBudget budget : budgets) {
+      for (CostBudget budget : budgets) {
         BudgetMatch fit = BudgetMatch.of(budget, model);
         if (fit instanceof BudgetMatch.Match holds) {
-          worst(view, budget, holds, findings);
+          budget.limits().keySet().forEach(kind -> worst(view, budget, kind, holds, findings));
         } else if (fit instanceof BudgetMatch.NearMiss slip) {
           Object[] words = {slip.kind(), slip.name(), slip.near()};
           report(view, BudgetRules.NO_SUCH_BUDGET, slip.group(), findings, words);
@@ -32,8 +33,12 @@ final class BudgetCheck implements SceneCheck {
   }
 
   private static void worst(
-      SceneContext view, PolygonBudget budget, BudgetMatch.Match holds, FindingCollector findings) {
-    BudgetStatus status = BudgetStatus.of(budget, holds);
+      SceneContext view,
+      CostBudget budget,
+      CostKind kind,
+      BudgetMatch.Match holds,
+      FindingCollector findings) {
+    BudgetStatus status = BudgetStatus.of(budget, kind, holds);
     if (status.broken()) {
       report(
           view,
@@ -41,10 +46,11 @@ final class BudgetCheck implements SceneCheck {
           status.group(),
           findings,
           status.group().isEmpty() ? "the scene" : status.group(),
-          DecimalFormatter.grouped(status.worst().polygons()),
+          DecimalFormatter.grouped(status.cost()),
+          kind.unit(),
           in(status.worst().schemas()),
           DecimalFormatter.grouped(status.over()),
-          DecimalFormatter.grouped(budget.polygons()));
+          DecimalFormatter.grouped(status.limit()));
     }
   }
 

@@ -8,7 +8,7 @@ import java.util.Set;
 import org.selectiverenderer.polygon.EnrichmentPolygonModel;
 import org.selectiverenderer.polygon.EnrichmentPolygonModel.State;
 import org.selectiverenderer.schema.SchemaNameMatcher;
-import org.selectiverenderer.validation.PolygonBudget;
+import org.selectiverenderer.validation.CostBudget;
 
 /**
  * The result of matching a budget to a scene. A group is found by its DEF name, else by the only
@@ -34,7 +34,7 @@ sealed interface BudgetMatch {
   /** The scene has nothing that the budget names. */
   record NoMatch() implements BudgetMatch {}
 
-  static BudgetMatch of(PolygonBudget budget, EnrichmentPolygonModel model) {
+  static BudgetMatch of(CostBudget budget, EnrichmentPolygonModel model) {
     String wanted = budget.scope();
     Optional<String> group = wanted.isEmpty() ? Optional.of("") : group(wanted, model);
     if (group.isEmpty()) {

@@ -4,16 +4,18 @@ import java.util.List;
 import org.selectiverenderer.validation.Rule;
 import org.selectiverenderer.validation.RuleGroup;
 
-/** Declares the rules SR500 to SR599, about polygon budgets. */
+/** Declares the rules SR500 to SR599, about budgets. */
 public final class BudgetRules {
   static final Rule OVER_BUDGET =
       Rule.error(
               "SR501",
-              "{scope} has {polygons} polygons {state}, which is {over} more than "
+              "{scope} has {count} {unit} {state}, which is {over} more than "
                   + "its budget of {budget}")
           .because(
               """
-              The settings limit the polygons of a part of the scene. Without schemas the \
+              The settings limit what a part of the scene costs: its polygons, the bytes of its \
+              textures (decoded, with mip maps, each picture once) or its draw calls (the \
+              shapes that are drawn). Without schemas the \
               budget is compared with the worst state that a viewer can cause by entering \
               and leaving areas; with schemas, with the state of these schemas alone.""")
           .bad(example("Office", 170000, 180500))
@@ -33,7 +35,7 @@ public final class BudgetRules {
 
   static final Rule UNUSED_BUDGET =
       Rule.warning(
-              "SR503", "the budget of {polygons} polygons for {what} fits no scene of this run")
+              "SR503", "the budget of {limits} for {what} fits no scene of this run")
           .because(
               """
               No scene has such a group, or such schemas that can be active together, so the \

@@ -1,5 +1,5 @@
 /**
- * Rules of polygon budgets, SR5xx: the budgets of the settings are compared with the worst state
+ * Rules of budgets of polygons, textures and draw calls, SR5xx: the budgets of the settings are compared with the worst state
  * that a viewer can reach.
  *
  * <p>In: {@code SceneContext} with its settings. Out: findings. Uses {@code validation}, {@code

@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.polygon.EnrichmentPolygonModel;
 import org.selectiverenderer.polygon.metadata.NodeViewMetadata;
+import org.selectiverenderer.schema.FieldQuality;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.schema.SwitchSchemas;
@@ -22,6 +23,7 @@ import org.selectiverenderer.x3d.read.ParsedNode;
  * @param nodes all nodes of these files, parents first, the scene's own file first
  * @param areas the ProximitySensors that name schemas
  * @param objects the Switches that name schemas
+ * @param qualities the field qualities of Switches that have any
  * @param scripted whether there is a script, which may set any field and observe any node
  * @param counts the enrichment with polygon counts; null if there is neither area nor object
  */
@@ -31,6 +33,7 @@ record EnrichedScene(
     List<ParsedNode> nodes,
     Map<ParsedNode, SensorSchemas> areas,
     Map<ParsedNode, SwitchSchemas> objects,
+    Map<ParsedNode, List<FieldQuality>> qualities,
     boolean scripted,
     @Nullable EnrichmentPolygonModel counts) {
 
@@ -38,6 +41,7 @@ record EnrichedScene(
     SchemaReader reader = new SchemaReader(problem -> {});
     Map<ParsedNode, SensorSchemas> areas = new LinkedHashMap<>();
     Map<ParsedNode, SwitchSchemas> objects = new LinkedHashMap<>();
+    Map<ParsedNode, List<FieldQuality>> qualities = new LinkedHashMap<>();
     Map<String, FileOutline> files = new LinkedHashMap<>();
     view.files().forEach(file -> files.put(file.scene().source(), file));
     List<ParsedNode> nodes =
@@ -48,6 +52,10 @@ record EnrichedScene(
         reader.sensor(metadata).ifPresent(schemas -> areas.put(node, schemas));
       } else if (metadata != null) {
         reader.switchNode(metadata, children(node)).ifPresent(s -> objects.put(node, s));
+        List<FieldQuality> found = reader.fieldQualities(metadata);
+        if (!found.isEmpty()) {
+          qualities.put(node, found);
+        }
       }
     }
     boolean nothing = areas.isEmpty() && objects.isEmpty();
@@ -57,6 +65,7 @@ record EnrichedScene(
         nodes,
         areas,
         objects,
+        qualities,
         nodes.stream().anyMatch(node -> node.type().name().equals("Script")),
         nothing ? null : FileOutlineAdapter.model(view));
   }

@@ -17,7 +17,12 @@ public final class EnrichmentRules {
   public static RuleGroup group() {
     return new RuleGroup(
         "Enrichment",
-        Stream.of(SensorRules.ALL, SwitchRules.ALL, SchemaRules.ALL, ObjectVersionRules.ALL)
+        Stream.of(
+                SensorRules.ALL,
+                SwitchRules.ALL,
+                SchemaRules.ALL,
+                ObjectVersionRules.ALL,
+                FieldQualityRules.ALL)
             .flatMap(List::stream)
             .sorted(Comparator.comparing(Rule::id))
             .toList(),
@@ -26,6 +31,7 @@ public final class EnrichmentRules {
             new CompositeCheck(
                 List.of(
                     new SwitchMetadataCheck(),
+                    new FieldQualityCheck(),
                     new SensorMetadataCheck(),
                     new AreaReachabilityCheck(),
                     new MetadataVocabularyCheck(),

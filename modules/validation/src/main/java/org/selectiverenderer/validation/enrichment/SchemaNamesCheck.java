@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import org.selectiverenderer.schema.FieldQuality;
 import org.selectiverenderer.schema.SchemaUsage;
 import org.selectiverenderer.schema.SchemaUsage.Unmatched;
 import org.selectiverenderer.schema.SwitchSchemas;
@@ -26,6 +27,13 @@ final class SchemaNamesCheck implements EnrichedSceneCheck {
         .forEach(
             (object, schemas) ->
                 use.object(object, byChoice(schemas), object.integer("whichChoice")));
+    scene
+        .qualities()
+        .forEach(
+            (object, qualities) ->
+                qualities.stream()
+                    .map(FieldQuality::schemas)
+                    .forEach(levels -> use.object(object, levels.byChoice(), levels.mostDetailed())));
     Set<String> activated = use.activated();
     Set<String> explained = new HashSet<>();
     for (Unmatched<ParsedNode> found : use.unmatched()) {

@@ -87,7 +87,21 @@ final class SwitchMetadataCheck implements EnrichedSceneCheck {
               "name",
               at.name().strip(),
               MisplacedMetadataMessages.inSwitch(at));
+      case UNKNOWN_QUALITY -> FieldQualityCheck.unknownQuality(at, file, findings);
+      case SEVERAL_QUALITIES ->
+          findings.add(FieldQualityRules.SEVERAL_QUALITIES, node, quality(at));
+      case UNKNOWN_FIELD, FIELD_TWICE, NO_VALUE -> {
+        // About field qualities, which have a check of their own.
+      }
     }
+  }
+
+  private static String quality(NodeViewMetadata set) {
+    return set.children().stream()
+        .filter(child -> !child.isSet() && child.name().strip().equals("quality"))
+        .flatMap(child -> child.values().stream())
+        .findFirst()
+        .orElse("another one");
   }
 
   private static String meant(NodeViewMetadata at) {

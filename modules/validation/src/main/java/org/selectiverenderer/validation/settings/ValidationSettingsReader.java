@@ -3,6 +3,7 @@ package org.selectiverenderer.validation.settings;
 import java.io.IOException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
@@ -13,7 +14,8 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.formats.json.JsonObjectReader;
 import org.selectiverenderer.formats.json.JsonSettingsReader;
 import org.selectiverenderer.formats.json.LocatedJsonValue;
-import org.selectiverenderer.validation.PolygonBudget;
+import org.selectiverenderer.validation.CostBudget;
+import org.selectiverenderer.validation.CostKind;
 import org.selectiverenderer.validation.ValidationSettings;
 import org.selectiverenderer.validation.run.RuleCatalogue;
 import org.selectiverenderer.x3d.url.ContentAccessKeys;
@@ -24,14 +26,15 @@ import org.selectiverenderer.x3d.url.ContentAccessKeys;
  * <pre>
  * {"ignore": ["SR2"],
  *  "severities": {"SR305": "error"},
- *  "budgets": [{"file": "a.x3d", "scope": "Office", "schemas": ["Desk"], "polygons": 170000}],
+ *  "budgets": [{"file": "a.x3d", "scope": "Office", "schemas": ["Desk"], "polygons": 170000,
+ *               "textureBytes": 64000000, "drawCalls": 500}],
  *  "megabytes": 50,
  *  "allow": ["../models"],
  *  "allowNet": ["example.org"]}
  * </pre>
  *
  * <p>Each key may be left out, and so may a budget's {@code file} (every scene), {@code scope} (the
- * whole scene) and {@code schemas} (the worst state). The file is read as {@link
+ * whole scene), {@code schemas} (the worst state) and all limits but one. The file is read as {@link
  * org.selectiverenderer.formats.json} describes: an unknown key is an error, since a misspelling
  * would otherwise go unnoticed.
  */
@@ -107,12 +110,27 @@ public final class ValidationSettingsReader {
         });
   }
 
-  private static PolygonBudget budget(JsonObjectReader budget) {
-    return new PolygonBudget(
+  private static CostBudget budget(JsonObjectReader budget) {
+    return new CostBudget(
         budget.text("file", false).map(name -> file(budget, name)).orElse(""),
         budget.text("scope", false).orElse(""),
         budget.texts("schemas"),
-        budget.whole("polygons", 0, Double.POSITIVE_INFINITY, Double.NaN));
+        limits(budget));
+  }
+
+  private static Map<CostKind, Long> limits(JsonObjectReader budget) {
+    Map<CostKind, Long> limits = new EnumMap<>(CostKind.class);
+    for (CostKind kind : CostKind.values()) {
+      double none = -1;
+      long limit = budget.whole(kind.key(), 0, Double.POSITIVE_INFINITY, none);
+      if (limit != none) {
+        limits.put(kind, limit);
+      }
+    }
+    if (limits.isEmpty()) {
+      budget.fault("a budget needs \"polygons\", \"textureBytes\" or \"drawCalls\"");
+    }
+    return limits;
   }
 
   private static String file(JsonObjectReader budget, String name) {

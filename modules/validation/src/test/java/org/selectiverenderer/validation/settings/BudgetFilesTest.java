@@ -86,6 +86,17 @@ class BudgetFilesTest {
   }
 
   @Test
+  void texturesAndDrawCallsHaveBudgetsToo() throws IOException {
+    assertThat(findings("{\"scope\": \"Kitchen\", \"drawCalls\": 0, \"textureBytes\": 0}"))
+        .containsExactlyInAnyOrder("house.x3d SR501", "rooms/living.x3d SR501");
+    assertThat(findings("{\"scope\": \"Kitchen\", \"drawCalls\": 1, \"textureBytes\": 0}")).isEmpty();
+    ProblemCollector problems = new ProblemCollector();
+    assertThat(settings("{\"scope\": \"Kitchen\"}", problems)).isEmpty();
+    assertThat(problems.list().toString())
+        .contains("a budget needs \"polygons\", \"textureBytes\" or \"drawCalls\"");
+  }
+
+  @Test
   void whatCanBeNoFileIsAFault() throws IOException {
     ProblemCollector problems = new ProblemCollector();
     assertThat(settings("{\"file\": \"a\\u0000b\", \"polygons\": 5}", problems)).isEmpty();

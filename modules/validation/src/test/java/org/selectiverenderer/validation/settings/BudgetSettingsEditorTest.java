@@ -7,17 +7,19 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.ProblemCollector;
-import org.selectiverenderer.validation.PolygonBudget;
+import org.selectiverenderer.validation.CostBudget;
+import org.selectiverenderer.validation.CostKind;
 import org.selectiverenderer.validation.run.RuleCatalogue;
 
 /** Budgets are changed in the text that a person has written. */
 class BudgetSettingsEditorTest {
-  private static final PolygonBudget OFFICE = new PolygonBudget("Office", List.of(), 170000);
-  private static final PolygonBudget DESK =
-      new PolygonBudget("Office", List.of("Desk", "Chair"), 70000);
+  private static final CostBudget OFFICE = new CostBudget("Office", List.of(), 170000);
+  private static final CostBudget DESK =
+      new CostBudget("Office", List.of("Desk", "Chair"), 70000);
 
   @TempDir Path folder;
 
@@ -38,9 +40,9 @@ class BudgetSettingsEditorTest {
     return Files.readString(file());
   }
 
-  private List<PolygonBudget> read() throws IOException {
+  private List<CostBudget> read() throws IOException {
     ProblemCollector problems = new ProblemCollector();
-    List<PolygonBudget> read = budgets().read(problems).orElseThrow().budgets();
+    List<CostBudget> read = budgets().read(problems).orElseThrow().budgets();
     assertThat(problems.list()).isEmpty();
     return read;
   }
@@ -59,8 +61,8 @@ class BudgetSettingsEditorTest {
             }
             """);
     budgets().put(DESK);
-    budgets().put(new PolygonBudget("", List.of(), 9));
-    assertThat(read()).containsExactly(OFFICE, DESK, new PolygonBudget("", List.of(), 9));
+    budgets().put(new CostBudget("", List.of(), 9));
+    assertThat(read()).containsExactly(OFFICE, DESK, new CostBudget("", List.of(), 9));
   }
 
   @Test
@@ -79,13 +81,32 @@ class BudgetSettingsEditorTest {
         }
         """;
     BudgetSettingsEditor file = with(before.formatted("170000"));
-    file.put(new PolygonBudget("Office", List.of(), 42));
+    file.put(new CostBudget("Office", List.of(), 42));
     assertThat(text()).isEqualTo(before.formatted("42"));
-    file.put(new PolygonBudget("Office", List.of("Desk", "Chair"), 123456));
+    file.put(new CostBudget("Office", List.of("Desk", "Chair"), 123456));
     assertThat(text()).isEqualTo(before.formatted("42").replace(": 5 }", ": 123456 }"));
-    file.put(new PolygonBudget("Kitchen", List.of(), 7));
+    file.put(new CostBudget("Kitchen", List.of(), 7));
     assertThat(read()).hasSize(3);
     assertThat(text()).contains("},\n    {\"scope\": \"Kitchen\", \"polygons\": 7},\n  ],");
+  }
+
+  @Test
+  void limitsOfOtherThingsStayWhenOneOfPolygonsComesAndGoes() throws IOException {
+    String before = "{\"budgets\": [{\"scope\": \"Office\", \"drawCalls\": 9}]}";
+    BudgetSettingsEditor file = with(before);
+    file.put(OFFICE);
+    CostBudget both =
+        new CostBudget(
+            "", "Office", List.of(), Map.of(CostKind.POLYGONS, 170000L, CostKind.DRAW_CALLS, 9L));
+    assertThat(read()).containsExactly(both);
+    file.put(new CostBudget("Office", List.of(), 5));
+    assertThat(text()).contains("\"polygons\": 5, \"drawCalls\": 9");
+    file.remove(OFFICE);
+    assertThat(read())
+        .containsExactly(
+            new CostBudget("", "Office", List.of(), Map.of(CostKind.DRAW_CALLS, 9L)));
+    file.remove(OFFICE);
+    assertThat(read()).hasSize(1);
   }
 
   @Test
@@ -114,12 +135,12 @@ class BudgetSettingsEditorTest {
     file.put(OFFICE);
     String name = file.named(folder.resolve("rooms").resolve("a b.x3d"));
     assertThat(name).isEqualTo("rooms/a b.x3d");
-    PolygonBudget own = new PolygonBudget(name, "Office", List.of(), 7);
+    CostBudget own = new CostBudget(name, "Office", List.of(), 7);
     file.put(own);
     assertThat(read()).containsExactly(OFFICE, own);
     assertThat(text())
         .contains("{\"file\": \"rooms/a b.x3d\", \"scope\": \"Office\", \"polygons\": 7}");
-    PolygonBudget more = new PolygonBudget(name, "Office", List.of(), 8);
+    CostBudget more = new CostBudget(name, "Office", List.of(), 8);
     file.put(more);
     assertThat(read()).containsExactly(OFFICE, more);
     file.remove(OFFICE);
@@ -137,11 +158,11 @@ class BudgetSettingsEditorTest {
 
   @Test
   void namesAreQuotedAndBracesInTextsAreNoBraces() throws IOException {
-    PolygonBudget odd = new PolygonBudget("a\"}b", List.of("],\\"), 1);
+    CostBudget odd = new CostBudget("a\"}b", List.of("],\\"), 1);
     BudgetSettingsEditor file = with("{\"budgets\": [{\"scope\": \"}]\", \"polygons\": 3}]}");
     file.put(odd);
-    file.put(new PolygonBudget("}]", List.of(), 12));
-    assertThat(read()).containsExactly(new PolygonBudget("}]", List.of(), 12), odd);
+    file.put(new CostBudget("}]", List.of(), 12));
+    assertThat(read()).containsExactly(new CostBudget("}]", List.of(), 12), odd);
   }
 
   @Test

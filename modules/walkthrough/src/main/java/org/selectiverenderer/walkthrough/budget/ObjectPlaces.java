@@ -28,7 +28,7 @@ import org.web3d.x3d.sai.X3DNode;
  *
  * <p>The numbers stand in arrays, since all of them are needed in every frame.
  */
-final class ObjectPlaces {
+public final class ObjectPlaces {
   private final List<ChoosableObject> objects;
   private final List<VersionChoices> choices = new ArrayList<>();
   private final Instance[][] instances;
@@ -58,9 +58,11 @@ final class ObjectPlaces {
   /**
    * Measures all versions of objects.
    *
+   * @param objects whose places and versions are measured
+   * @param tree the instances of the scene that has them
    * @param nodes returns the node behind an object of the SAI
    */
-  ObjectPlaces(
+  public ObjectPlaces(
       List<ChoosableObject> objects, InstanceTree tree, Function<X3DNode, Node> nodes) {
     this.objects = objects;
     Set<Node> switches = new HashSet<>();
@@ -86,6 +88,7 @@ final class ObjectPlaces {
     for (int place = 0; place < count; place++) {
       size(place, bounds.get(place));
     }
+    Arrays.fill(unexpected, 1);
     moved(tree);
   }
 
@@ -154,8 +157,11 @@ final class ObjectPlaces {
     }
   }
 
-  /** Reads how consistent the objects are now with the active schemas. */
-  void readConsistency() {
+  /**
+   * Reads how consistent the objects are now with the active schemas; before the first call all
+   * count as inconsistent.
+   */
+  public void readConsistency() {
     for (int object = 0; object < unexpected.length; object++) {
       unexpected[object] = VersionLoss.weightOfConsistency(objects.get(object).consistency());
     }
@@ -166,22 +172,37 @@ final class ObjectPlaces {
     return placement != tree.placementVersion();
   }
 
-  List<VersionChoices> choices() {
+  /** Returns the versions of the objects, in their order. */
+  public List<VersionChoices> choices() {
     return choices;
   }
 
   /** Returns the triangles of a version; 0 for none. */
-  long cost(int object, int version) {
+  public long cost(int object, int version) {
     return version >= 0 && version < costs[object].length ? costs[object][version] : 0;
   }
 
   /** Returns the triangles of the version that has most. */
-  long mostCost(int object) {
+  public long mostCost(int object) {
     long most = 0;
     for (long cost : costs[object]) {
       most = Math.max(most, cost);
     }
     return most;
+  }
+
+  /** Returns the distance of a point from the middle of the nearest place of an object. */
+  public double distance(int object, Vector3dc point) {
+    double nearest = Double.POSITIVE_INFINITY;
+    for (int place = first[object]; place < first[object + 1]; place++) {
+      nearest = Math.min(nearest, point.distance(x[place], y[place], z[place]));
+    }
+    return nearest;
+  }
+
+  /** Returns the radius of a disc as large as the mean shadow of the object; 0 for none. */
+  public double radius(int object) {
+    return first[object] < first[object + 1] ? disc[first[object]] : 0;
   }
 
   /** Returns the number of places of an object. */
@@ -205,7 +226,8 @@ final class ObjectPlaces {
   }
 
   /** Receives the weights of objects. */
-  interface Weights {
+  public interface Weights {
+    /** Receives the weight of the object of a number. */
     void weigh(int object, double weight);
   }
 
@@ -215,7 +237,7 @@ final class ObjectPlaces {
    *
    * @param gaze where the eyes look, as a unit vector in the viewer's frame; empty if unknown
    */
-  void weigh(Viewer viewer, Optional<? extends Vector3dc> gaze, Weights to) {
+  public void weigh(Viewer viewer, Optional<? extends Vector3dc> gaze, Weights to) {
     double eyeX = viewer.position().x();
     double eyeY = viewer.position().y();
     double eyeZ = viewer.position().z();

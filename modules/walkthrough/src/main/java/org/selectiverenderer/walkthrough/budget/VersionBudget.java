@@ -24,8 +24,8 @@ import org.web3d.x3d.sai.X3DNode;
  * <p>Belongs to the thread that steps the world.
  */
 public final class VersionBudget {
-  /** By what share a version must be worth more than another to take its triangles. */
-  private static final double HYSTERESIS = 0.25;
+  /** A version takes the triangles of another if it is worth twice as much: so much more, as a share. */
+  private static final double HYSTERESIS = 1;
 
   private final World world;
   private final SelectiveController controller;

@@ -1,5 +1,6 @@
 package org.selectiverenderer.walkthrough.timeline;
 
+import java.util.Map;
 import org.selectiverenderer.control.ControlEvent;
 
 /** An event of the time line. */
@@ -26,8 +27,16 @@ public sealed interface TimelineEvent {
    *
    * @param frames number of frames stepped
    * @param polygons polygons of the whole scene with its current versions, visible or not
+   * @param waiting the choices that were wanted and could not be shown unseen, by the Switches'
+   *     names
    */
-  record End(double t, long frames, PolygonSpan polygons) implements TimelineEvent {}
+  record End(double t, long frames, PolygonSpan polygons, Map<String, Integer> waiting)
+      implements TimelineEvent {
+    /** Creates the end of a walkthrough in which no choice waits. */
+    public End(double t, long frames, PolygonSpan polygons) {
+      this(t, frames, polygons, Map.of());
+    }
+  }
 
   /**
    * The number of polygons at the first frame, at the last frame, and the maximum over all frames.

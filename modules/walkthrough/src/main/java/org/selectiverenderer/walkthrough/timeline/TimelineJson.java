@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Optional;
 import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.control.ControlEvent;
+import org.selectiverenderer.control.SwitchVisibility;
 import org.selectiverenderer.formats.json.JsonTree;
 
 /** Writes the time line as JSON, one object per line, with keys in the documented order. */
@@ -36,6 +37,10 @@ public final class TimelineJson {
           .put("start", end.polygons().start())
           .put("end", end.polygons().end())
           .put("max", end.polygons().max());
+      if (!end.waiting().isEmpty()) {
+        ObjectNode waiting = node.putObject("waiting");
+        end.waiting().forEach(waiting::put);
+      }
     }
     return node.toString();
   }
@@ -65,6 +70,7 @@ public final class TimelineJson {
       if (change.cause().budget()) {
         node.put("cause", "budget");
       }
+      change.seen().ifPresent(seen -> put(node, seen));
     } else if (event instanceof ControlEvent.FieldChange change) {
       node.put("event", "field")
           .put("object", change.object())
@@ -73,6 +79,13 @@ public final class TimelineJson {
           .put("from", change.from())
           .put("to", change.to())
           .put("schema", change.schema());
+      change.seen().ifPresent(seen -> put(node, seen));
     }
+  }
+
+  private static void put(ObjectNode node, SwitchVisibility seen) {
+    node.put("visible", seen.visible())
+        .put("pixels", Math.round(seen.pixels()))
+        .put("turning", DecimalRounding.to(1, seen.turning()));
   }
 }

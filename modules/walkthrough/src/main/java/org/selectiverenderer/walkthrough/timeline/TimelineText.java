@@ -7,11 +7,28 @@ import java.util.stream.Collectors;
 import org.selectiverenderer.base.decimal.Pluralizer;
 import org.selectiverenderer.control.ChoiceCause;
 import org.selectiverenderer.control.ControlEvent;
+import org.selectiverenderer.control.SwitchVisibility;
 
 /** Writes the time line as text for people. */
 public final class TimelineText {
   /** The largest number of switches that are listed one by one at the start. */
   private static final int LISTED = 20;
+
+  private final boolean sights;
+
+  /** Creates a writer that leaves out what the viewer sees of changes. */
+  public TimelineText() {
+    this(false);
+  }
+
+  /**
+   * Creates a writer.
+   *
+   * @param sights whether it tells what the viewer sees of changes, where that is known
+   */
+  public TimelineText(boolean sights) {
+    this.sights = sights;
+  }
 
   /** Returns the line of an event, without a line feed. */
   public String line(TimelineEvent event) {
@@ -26,15 +43,16 @@ public final class TimelineText {
         end.t(),
         "end",
         String.format(
-            Locale.ROOT,
-            "%d frames; %d polygons at the start, %d at the end, %d at most",
-            end.frames(),
-            end.polygons().start(),
-            end.polygons().end(),
-            end.polygons().max()));
+                Locale.ROOT,
+                "%d frames; %d polygons at the start, %d at the end, %d at most",
+                end.frames(),
+                end.polygons().start(),
+                end.polygons().end(),
+                end.polygons().max())
+            + waiting(end.waiting()));
   }
 
-  private static String line(double t, ControlEvent event) {
+  private String line(double t, ControlEvent event) {
     if (event instanceof ControlEvent.Start start) {
       return row(t, "start", start(start));
     }
@@ -56,12 +74,26 @@ public final class TimelineText {
     return row(
         t,
         "switch",
-        "%s: choice %s -> %s%s"
+        "%s: choice %s -> %s%s%s"
             .formatted(
                 s.switchName(),
                 s.from(),
                 s.to(),
-                by(s.cause())));
+                by(s.cause()),
+                sights ? s.seen().map(TimelineText::sight).orElse("") : ""));
+  }
+
+  private static String sight(SwitchVisibility seen) {
+    return seen.visible()
+        ? String.format(
+            Locale.ROOT, ", %.0f pixels seen, %.0f degrees/s", seen.pixels(), seen.turning())
+        : ", not seen";
+  }
+
+  private static String waiting(Map<String, Integer> choices) {
+    return choices.isEmpty()
+        ? ""
+        : "; not shown, as it would have been seen: " + listed(choices);
   }
 
   private static String by(ChoiceCause cause) {
@@ -98,7 +130,11 @@ public final class TimelineText {
     if (switches.size() > LISTED) {
       return switches.size() + " enriched switches";
     }
-    return switches.entrySet().stream()
+    return listed(switches);
+  }
+
+  private static String listed(Map<String, Integer> choices) {
+    return choices.entrySet().stream()
         .map(entry -> entry.getKey() + ": choice " + entry.getValue())
         .collect(Collectors.joining(", "));
   }

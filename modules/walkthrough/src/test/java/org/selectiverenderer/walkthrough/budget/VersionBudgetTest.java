@@ -122,9 +122,9 @@ class VersionBudgetTest {
     look(-2, 0, 0);
     assertThat(changed()).isEqualTo(Map.of("Left", 0));
     assertThat(walk.polygons()).isEqualTo(12 + 1200 + 12);
-    look(0.2, 0, 0);
+    look(1, 0, 0);
     assertThat(changed()).as("nearly as near is not enough to change").isEmpty();
-    look(2, 0, 0);
+    look(4, 0, 0);
     assertThat(changed()).isEqualTo(Map.of("Left", 1, "Right", 0));
     assertThat(walk.polygons()).isEqualTo(12 + 1200 + 12);
   }
@@ -227,10 +227,10 @@ class VersionBudgetTest {
     open(
         "triangles:1400",
         FLOOR,
-        LEFT,
-        object("Right", 3, -9, "kitchen", "hall"),
+        object("Left", -3, -9, "kitchen", "hall"),
+        object("Right", 3, -19, "kitchen", "hall"),
         "<TimeSensor DEF='Clock' cycleInterval='1' loop='true'/>",
-        "<PositionInterpolator DEF='Way' key='0 1' keyValue='3 0 -9 3 0 -1'/>",
+        "<PositionInterpolator DEF='Way' key='0 .5 1' keyValue='3 0 -19 3 0 -3 3 0 -3'/>",
         "<ROUTE fromNode='Clock' fromField='fraction_changed' toNode='Way'"
             + " toField='set_fraction'/>",
         "<ROUTE fromNode='Way' fromField='value_changed' toNode='RightPlace'"

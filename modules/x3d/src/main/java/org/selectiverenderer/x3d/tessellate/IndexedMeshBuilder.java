@@ -69,7 +69,7 @@ final class IndexedMeshBuilder {
   /**
    * Returns the mesh of the corners in their order.
    *
-   * @param defaultTexCoords whether to generate texture coordinates if there are none
+   * @param defaultTexCoords whether there are default texture coordinates if there are no others
    */
   Mesh mesh(Mesh.Primitive primitive, boolean solid, boolean defaultTexCoords) {
     int[] indices = byPoint() ? weldPoints() : mostlyUnique() ? keepAll() : weldTuples();
@@ -90,15 +90,14 @@ final class IndexedMeshBuilder {
       texCoord = texCoord == null ? null : byValue.compact(texCoord, 2);
     }
     float[] bounds = bounds(positions);
-    if (texCoord == null && defaultTexCoords) {
-      texCoord = DefaultTextureCoordinates.of(positions, bounds);
-    }
     List<Mesh.TexCoords> others = new ArrayList<>(more.size());
     for (VertexAttribute other : more) {
       float[] values = gather(other.values(), other.components(), other.ids());
       others.add(new Mesh.TexCoords(other.components(), values, other.name()));
     }
-    return new Mesh(primitive, positions, normal, color, texCoord, others, indices, solid, bounds);
+    Mesh mesh =
+        new Mesh(primitive, positions, normal, color, texCoord, others, indices, solid, bounds);
+    return texCoord == null && defaultTexCoords ? mesh.withDefaultTexCoords() : mesh;
   }
 
   /**
@@ -273,44 +272,5 @@ final class IndexedMeshBuilder {
       b[axis + 3] = max;
     }
     return b;
-  }
-
-  /** Computes texture coordinates for surfaces that specify none (X3D 4.0, 13.3.6). */
-  private static final class DefaultTextureCoordinates {
-    private DefaultTextureCoordinates() {}
-
-    /**
-     * Returns coordinates in which S runs from 0 to 1 along the longest side of the bounding box,
-     * and T along the second longest from 0 to the ratio of the two. Of equal sides X precedes Y
-     * and Z.
-     *
-     * @return s, t per vertex
-     */
-    static float[] of(float[] positions, float[] bounds) {
-      double[] size = new double[3];
-      for (int axis = 0; axis < 3; axis++) {
-        size[axis] = (double) bounds[axis + 3] - bounds[axis];
-      }
-      int s = longest(size, -1);
-      int t = longest(size, s);
-      double scale = size[s] > 0 ? 1 / size[s] : 0;
-      float[] texCoords = new float[positions.length / 3 * 2];
-      for (int i = 0, j = 0; i < positions.length; i += 3, j += 2) {
-        texCoords[j] = (float) (((double) positions[i + s] - bounds[s]) * scale);
-        texCoords[j + 1] = (float) (((double) positions[i + t] - bounds[t]) * scale);
-      }
-      return texCoords;
-    }
-
-    /** Returns the axis of the greatest size other than {@code except}; the first of equals. */
-    private static int longest(double[] size, int except) {
-      int longest = except == 0 ? 1 : 0;
-      for (int axis = longest + 1; axis < 3; axis++) {
-        if (axis != except && size[axis] > size[longest]) {
-          longest = axis;
-        }
-      }
-      return longest;
-    }
   }
 }

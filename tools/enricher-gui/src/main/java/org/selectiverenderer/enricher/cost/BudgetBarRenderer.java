@@ -63,8 +63,8 @@ final class BudgetBarRenderer extends DefaultTableCellRenderer {
 
   private void bar(Graphics2D g, BudgetStatus status) {
     g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-    double polygons = status.worst().polygons();
-    double limit = status.budget().polygons();
+    double polygons = status.cost();
+    double limit = status.limit();
     double most = Math.max(1, Math.max(polygons, limit));
     int width = getWidth() - 2 * PAD;
     int used = (int) Math.round(width * polygons / most);

@@ -30,11 +30,12 @@ import org.selectiverenderer.enricher.session.SelectionListener;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.polygon.PolygonContributions;
 import org.selectiverenderer.swing.PlainText;
+import org.selectiverenderer.validation.CostKind;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * Shows the polygon cost of the scene: polygons of its parts in each state against limits, and the
- * share of each object in the selected state. For the event dispatch thread.
+ * Shows the cost of the scene: polygons of its parts in each state against limits, bytes of textures
+ * and draw calls, and the share of each object in the selected state. For the event dispatch thread.
  */
 public final class CostPanel extends JPanel {
   private static final long serialVersionUID = 1L;
@@ -125,9 +126,11 @@ public final class CostPanel extends JPanel {
   private void dressStates() {
     statesTable
         .column(StatesTableModel.SCOPE, 9, 8)
-        .column(StatesTableModel.STATE, 20, 14)
+        .column(StatesTableModel.STATE, 20, 12)
         .numbers(StatesTableModel.POLYGONS, 9, 8)
         .numbers(StatesTableModel.PERCENT, 7, 7)
+        .numbers(StatesTableModel.TEXTURES, 8, 7)
+        .numbers(StatesTableModel.DRAWS, 6, 5)
         .column(StatesTableModel.LIMIT, 9, 7)
         .column(StatesTableModel.BAR, 17, 11);
     LimitCell limits = new LimitCell();
@@ -140,6 +143,14 @@ public final class CostPanel extends JPanel {
         .getColumnModel()
         .getColumn(StatesTableModel.BAR)
         .setCellRenderer(new BudgetBarRenderer());
+    statesTable
+        .getColumnModel()
+        .getColumn(StatesTableModel.TEXTURES)
+        .setCellRenderer(new CostCell(CostKind.TEXTURE_BYTES));
+    statesTable
+        .getColumnModel()
+        .getColumn(StatesTableModel.DRAWS)
+        .setCellRenderer(new CostCell(CostKind.DRAW_CALLS));
     statesTable.putClientProperty("terminateEditOnFocusLost", true);
     statesTable
         .getSelectionModel()
@@ -149,6 +160,25 @@ public final class CostPanel extends JPanel {
                 showObjects();
               }
             });
+  }
+
+  /** Renders a cost with a tooltip that says what is counted, and its limit. */
+  private final class CostCell extends DefaultTableCellRenderer {
+    private static final long serialVersionUID = 1L;
+    private final CostKind kind;
+
+    CostCell(CostKind kind) {
+      this.kind = kind;
+      setHorizontalAlignment(SwingConstants.TRAILING);
+    }
+
+    @Override
+    public Component getTableCellRendererComponent(
+        JTable table, Object value, boolean selected, boolean focused, int row, int column) {
+      super.getTableCellRendererComponent(table, value, selected, focused, row, column);
+      setToolTipText(CostFormatter.costTip(states.row(row), kind));
+      return this;
+    }
   }
 
   /** Renders a limit with a tooltip that says whether one can be set. */
@@ -161,7 +191,7 @@ public final class CostPanel extends JPanel {
       super.getTableCellRendererComponent(table, value, selected, focused, row, column);
       boolean can = states.row(row).limitable();
       setToolTipText(Texts.of(can ? "cost.limittip" : "cost.nolimit"));
-      if (can && states.row(row).limit().isEmpty()) {
+      if (can && "".equals(value)) {
         setText("\u2026"); // a limit can be set here
       }
       return this;

@@ -2,15 +2,17 @@ package org.selectiverenderer.enricher.cost;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.selectiverenderer.polygon.EnrichmentPolygonModel;
 import org.selectiverenderer.polygon.IncrementalSceneCounter.CountResult;
 import org.selectiverenderer.polygon.PolygonContributions;
+import org.selectiverenderer.polygon.RenderingCost;
 import org.selectiverenderer.polygon.SceneStatistics;
 import org.selectiverenderer.polygon.SceneStatistics.ScopeCount;
-import org.selectiverenderer.validation.PolygonBudget;
+import org.selectiverenderer.validation.CostBudget;
+import org.selectiverenderer.validation.CostKind;
 import org.selectiverenderer.validation.budget.BudgetStatus;
 import org.selectiverenderer.validation.settings.BudgetSettingsEditor;
 
@@ -20,8 +22,9 @@ import org.selectiverenderer.validation.settings.BudgetSettingsEditor;
  * @param scope DEF of the group; empty for the whole scene
  * @param schemas active schemas of the state; none for {@code ALL} and {@code WORST}
  * @param percent share of all polygons of the part; negative where unknown
+ * @param cost what it costs beside polygons; of {@code WORST} the most of each
  * @param limit the budget in the settings file
- * @param status whether the limit is kept
+ * @param statuses whether its limits are kept
  * @param limitable whether a limit can be set for this row
  * @param shares how many polygons each object contributes
  */
@@ -31,8 +34,9 @@ record CostRow(
     List<String> schemas,
     long polygons,
     double percent,
-    Optional<PolygonBudget> limit,
-    Optional<BudgetStatus> status,
+    RenderingCost cost,
+    Optional<CostBudget> limit,
+    List<BudgetStatus> statuses,
     boolean limitable,
     Optional<PolygonContributions> shares) {
   /** The kind of state. */
@@ -50,12 +54,22 @@ record CostRow(
    *
    * @param file the scene's file as budgets name it
    */
-  PolygonBudget budget(String file, long most) {
-    return new PolygonBudget(limit.map(PolygonBudget::file).orElse(file), scope, schemas, most);
+  CostBudget budget(String file, long most) {
+    return new CostBudget(limit.map(CostBudget::file).orElse(file), scope, schemas, most);
   }
 
+  /** Whether the limit of polygons is exceeded. */
   boolean broken() {
-    return status.filter(BudgetStatus::broken).isPresent();
+    return status().filter(BudgetStatus::broken).isPresent();
+  }
+
+  /** Whether the limit of polygons is kept; empty for none. */
+  Optional<BudgetStatus> status() {
+    return status(CostKind.POLYGONS);
+  }
+
+  Optional<BudgetStatus> status(CostKind kind) {
+    return statuses.stream().filter(status -> status.kind() == kind).findFirst();
   }
 
   /** Whether another row is about the same part and state. */
@@ -71,7 +85,7 @@ record CostRow(
   }
 
   private Optional<String> file() {
-    return limit.map(PolygonBudget::file);
+    return limit.map(CostBudget::file);
   }
 
   /**
@@ -80,7 +94,7 @@ record CostRow(
    *
    * @param budgets those for the scene's file
    */
-  static List<CostRow> of(CountResult counted, List<PolygonBudget> budgets) {
+  static List<CostRow> of(CountResult counted, List<CostBudget> budgets) {
     Making making = new Making(counted.model(), new ArrayList<>(budgets));
     for (ScopeCount scope : counted.statistics().scopes()) {
       making.scope(
@@ -92,8 +106,8 @@ record CostRow(
   }
 
   private record Making(
-      EnrichmentPolygonModel model, List<PolygonBudget> left, List<CostRow> rows) {
-    Making(EnrichmentPolygonModel model, List<PolygonBudget> budgets) {
+      EnrichmentPolygonModel model, List<CostBudget> left, List<CostRow> rows) {
+    Making(EnrichmentPolygonModel model, List<CostBudget> budgets) {
       this(model, budgets, new ArrayList<>());
     }
 
@@ -101,24 +115,36 @@ record CostRow(
       String scope = count.scope().equals(SceneStatistics.WHOLE_SCENE) ? "" : count.scope();
       Optional<PolygonContributions> none = Optional.empty();
       if (count.high() > 0) {
-        add(scope, Kind.ALL, List.of(), count.high(), 100, none);
+        add(scope, Kind.ALL, List.of(), count.high(), 100, count.highCost(), none);
       }
       for (PolygonContributions state : states) {
         Kind kind = state == states.get(0) ? Kind.LOADED : Kind.STATE;
-        add(scope, kind, state.schemas(), state.polygons(), state.percent(), Optional.of(state));
+        add(
+            scope,
+            kind,
+            state.schemas(),
+            state.polygons(),
+            state.percent(),
+            state.cost(),
+            Optional.of(state));
       }
       worst(scope, count.high(), states);
     }
 
     private void worst(String scope, long high, List<PolygonContributions> states) {
-      model.states(scope).stream()
+      List<EnrichmentPolygonModel.State> reached = model.states(scope);
+      RenderingCost most =
+          new RenderingCost(
+              reached.stream().mapToLong(CostKind.DRAW_CALLS::of).max().orElse(0),
+              reached.stream().mapToLong(CostKind.TEXTURE_BYTES::of).max().orElse(0));
+      reached.stream()
           .max(Comparator.comparingLong(EnrichmentPolygonModel.State::polygons))
           .ifPresent(
               worst -> {
                 Optional<PolygonContributions> shares =
                     states.stream().filter(state -> state.polygons() == worst.polygons()).findAny();
                 double percent = high == 0 ? 0 : 100.0 * worst.polygons() / high;
-                add(scope, Kind.WORST, List.of(), worst.polygons(), percent, shares);
+                add(scope, Kind.WORST, List.of(), worst.polygons(), percent, most, shares);
               });
     }
 
@@ -128,15 +154,16 @@ record CostRow(
         List<String> schemas,
         long polygons,
         double percent,
+        RenderingCost cost,
         Optional<PolygonContributions> shares) {
-      PolygonBudget wanted = new PolygonBudget(scope, schemas, 0);
+      CostBudget wanted = new CostBudget(scope, schemas, 0);
       boolean limitable =
           kind != Kind.ALL
               && (kind == Kind.WORST || !schemas.isEmpty())
-              && BudgetStatus.of(wanted, model)
+              && BudgetStatus.of(wanted, CostKind.POLYGONS, model)
                   .filter(status -> !status.worst().schemas().isEmpty() || kind != Kind.STATE)
                   .isPresent();
-      Optional<PolygonBudget> limit =
+      Optional<CostBudget> limit =
           limitable
               ? left.stream()
                   .filter(budget -> BudgetSettingsEditor.same(budget, wanted))
@@ -151,8 +178,9 @@ record CostRow(
               schemas,
               polygons,
               percent,
+              cost,
               limit,
-              limit.flatMap(budget -> BudgetStatus.of(budget, model)),
+              limit.map(this::statuses).orElse(List.of()),
               limitable,
               shares));
     }
@@ -164,31 +192,39 @@ record CostRow(
         CostRow whole = rows.remove(rows.size() - 1);
         rows.add(whole.withoutPercent());
       }
-      for (PolygonBudget budget : List.copyOf(left)) {
-        BudgetStatus.of(budget, model)
-            .filter(status -> new HashSet<>(rows).stream().noneMatch(row -> row.limit(budget)))
-            .ifPresent(
-                status ->
-                    rows.add(
-                        new CostRow(
-                            budget.scope(),
-                            budget.schemas().isEmpty() ? Kind.WORST : Kind.STATE,
-                            budget.schemas(),
-                            status.worst().polygons(),
-                            -1,
-                            Optional.of(budget),
-                            Optional.of(status),
-                            true,
-                            Optional.empty())));
+      for (CostBudget budget : List.copyOf(left)) {
+        List<BudgetStatus> found = statuses(budget);
+        if (!found.isEmpty() && rows.stream().noneMatch(row -> row.limit(budget))) {
+          EnrichmentPolygonModel.State worst = found.get(0).worst();
+          rows.add(
+              new CostRow(
+                  budget.scope(),
+                  budget.schemas().isEmpty() ? Kind.WORST : Kind.STATE,
+                  budget.schemas(),
+                  worst.polygons(),
+                  -1,
+                  worst.cost(),
+                  Optional.of(budget),
+                  found,
+                  true,
+                  Optional.empty()));
+        }
       }
+    }
+
+    private List<BudgetStatus> statuses(CostBudget budget) {
+      return Stream.of(CostKind.values())
+          .flatMap(kind -> BudgetStatus.of(budget, kind, model).stream())
+          .toList();
     }
   }
 
-  private boolean limit(PolygonBudget budget) {
+  private boolean limit(CostBudget budget) {
     return limit.equals(Optional.of(budget));
   }
 
   private CostRow withoutPercent() {
-    return new CostRow(scope, kind, schemas, polygons, -1, limit, status, limitable, shares);
+    return new CostRow(
+        scope, kind, schemas, polygons, -1, cost, limit, statuses, limitable, shares);
   }
 }

@@ -19,7 +19,7 @@ import org.selectiverenderer.enricher.task.BackgroundTask;
 import org.selectiverenderer.enricher.task.TaskProgress;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.polygon.IncrementalSceneCounter;
-import org.selectiverenderer.validation.PolygonBudget;
+import org.selectiverenderer.validation.CostBudget;
 import org.selectiverenderer.validation.ValidationSettings;
 
 /**
@@ -115,7 +115,7 @@ final class CostUpdater {
     ProblemCollector problems = new ProblemCollector();
     Optional<ValidationSettings> settings = place.settings(problems);
     Optional<String> fault = problems.list().stream().map(Problem::toString).findFirst();
-    List<PolygonBudget> budgets = settings.map(s -> s.budgets(file)).orElse(List.of());
+    List<CostBudget> budgets = settings.map(s -> s.budgets(file)).orElse(List.of());
     if (!wanted && budgets.isEmpty()) {
       return new Found(Optional.empty(), fault);
     }

@@ -6,6 +6,7 @@ import java.util.function.BiConsumer;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.table.RowTableModel;
 import org.selectiverenderer.enricher.text.Texts;
+import org.selectiverenderer.validation.CostKind;
 
 /** The table model of the scene's parts in their states, with editable limits. */
 final class StatesTableModel extends RowTableModel<CostRow> {
@@ -13,8 +14,10 @@ final class StatesTableModel extends RowTableModel<CostRow> {
   static final int STATE = 1;
   static final int POLYGONS = 2;
   static final int PERCENT = 3;
-  static final int LIMIT = 4;
-  static final int BAR = 5;
+  static final int TEXTURES = 4;
+  static final int DRAWS = 5;
+  static final int LIMIT = 6;
+  static final int BAR = 7;
   private static final long serialVersionUID = 1L;
 
   /** Most digits of a limit. */
@@ -31,6 +34,8 @@ final class StatesTableModel extends RowTableModel<CostRow> {
         Texts.of("cost.state"),
         Texts.of("cost.polygons"),
         Texts.of("cost.percent"),
+        Texts.of("cost.textures"),
+        Texts.of("cost.draws"),
         Texts.of("cost.limit"),
         Texts.of("cost.bar"));
     this.limits = limits;
@@ -47,9 +52,15 @@ final class StatesTableModel extends RowTableModel<CostRow> {
       case STATE -> CostFormatter.state(row);
       case POLYGONS -> DecimalFormatter.grouped(row.polygons());
       case PERCENT -> CostFormatter.percent(row);
-      case LIMIT -> row.limit().map(limit -> DecimalFormatter.grouped(limit.polygons())).orElse("");
+      case TEXTURES -> CostFormatter.textures(row);
+      case DRAWS -> CostFormatter.draws(row);
+      case LIMIT -> limit(row).map(DecimalFormatter::grouped).orElse("");
       default -> row;
     };
+  }
+
+  private static Optional<Long> limit(CostRow row) {
+    return row.limit().flatMap(budget -> budget.limit(CostKind.POLYGONS));
   }
 
   @Override
@@ -70,7 +81,7 @@ final class StatesTableModel extends RowTableModel<CostRow> {
   public void setValueAt(Object value, int row, int column) {
     String text = String.valueOf(value);
     Optional<Long> number = number(text);
-    boolean other = !number.equals(row(row).limit().map(limit -> limit.polygons()));
+    boolean other = !number.equals(limit(row(row)));
     if (other && (number.isPresent() || text.isBlank())) {
       limits.accept(row(row), number);
     }

@@ -1,29 +1,28 @@
 package org.selectiverenderer.enricher.form;
 
-import java.awt.FontMetrics;
-import java.util.List;
-import javax.swing.JComboBox;
+import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.authoring.Edit;
+import org.selectiverenderer.authoring.enrichment.ChoiceMetadata;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch.ChoiceNode;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
-import org.selectiverenderer.enricher.help.HelpTopic;
 import org.selectiverenderer.enricher.preview.VersionImage;
 import org.selectiverenderer.enricher.preview.VersionImageRenderer;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Texts;
-import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.swing.PlainText;
+import org.selectiverenderer.x3d.source.DocumentElement;
 
 /** The form of one choice of a Switch (a row of thesis Fig 44): the version and its metadata. */
 final class ChoiceForm {
   private final EnricherSession session;
   private final VersionImageRenderer pictures;
+  private final DocumentElement element;
   private final ChoiceNode choice;
   private final JPanel panel =
       new JPanel(new MigLayout("insets 0, hidemode 3, wrap 4", "[][grow,fill][][fill]"));
@@ -31,7 +30,7 @@ final class ChoiceForm {
   private final JLabel polygons = PlainText.only(new JLabel("\u2026"));
   private final JLabel title;
   private final JLabel url;
-  private final List<FieldBinding> fields;
+  private final MetadataControls metadata;
   private @Nullable VersionThumbnailLoader loading;
 
   ChoiceForm(
@@ -42,26 +41,19 @@ final class ChoiceForm {
       JComponent buttons) {
     this.session = session;
     this.pictures = pictures;
+    this.element = node.element();
     this.choice = choice;
     String number = String.valueOf(choice.index());
-    ChoiceFormModel editing = new ChoiceFormModel(session, node.element(), choice.index());
-    JComboBox<String> type = new JComboBox<>();
-    type.addItem(ChoiceFormModel.none());
-    for (ConsistencyType each : ConsistencyType.values()) {
-      type.addItem(each.spelling());
-    }
-    name(type, Texts.of("form.type", number), HelpTopic.TYPE);
-    JComboBox<String> degree = new JComboBox<>(new String[] {DegreeFormat.none(), "low", "high"});
-    degree.setEditable(true);
-    JTextField typed = (JTextField) degree.getEditor().getEditorComponent();
-    typed.setColumns(columns(typed));
-    name(degree, Texts.of("form.degree", number), HelpTopic.DEGREE);
-    name(typed, Texts.of("form.degree", number), HelpTopic.DEGREE);
-    typed.setName("Typed degree of choice " + number);
-    SchemaListField schemas = new SchemaListField(() -> session.enrichment().schemas());
-    name(schemas, Texts.of("form.schemas.of", number), HelpTopic.SCHEMAS);
-    schemas.putClientProperty("JTextField.placeholderText", Texts.of("form.commas"));
-    title = LabelFactory.of("", type);
+    metadata =
+        new MetadataControls(
+            session,
+            new MetadataFormModel(session, () -> now().map(this::values), this::described),
+            new MetadataControls.Names(
+                Texts.of("form.type", number),
+                Texts.of("form.degree", number),
+                "Typed degree of choice " + number,
+                Texts.of("form.schemas.of", number)));
+    title = LabelFactory.of("", metadata.first());
     title.putClientProperty("FlatLaf.styleClass", "h4");
     if (choice.index() < 10) {
       title.setDisplayedMnemonic('0' + choice.index());
@@ -72,14 +64,6 @@ final class ChoiceForm {
     url.getAccessibleContext().setAccessibleName(Texts.of("form.model", number, where(choice)));
     polygons.setName("Polygons of choice " + number);
     polygons.getAccessibleContext().setAccessibleName(Texts.of("form.polygons", number));
-    boolean writable = session.document().locked().isEmpty();
-    type.setEnabled(writable);
-    degree.setEnabled(writable);
-    schemas.setEditable(writable);
-
-    JLabel degreeComplaint = LabelFactory.complaint();
-    JLabel schemasComplaint = LabelFactory.complaint();
-    JLabel typeComplaint = LabelFactory.complaint();
     panel.add(title, "split 2, span, growx, pushx, wmin 0");
     panel.add(buttons, "growx 0");
     JPanel facts = new JPanel(new MigLayout("insets 0, wrap 1, gapy 2", "[grow,fill]"));
@@ -87,32 +71,24 @@ final class ChoiceForm {
     facts.add(polygons, "wmin 0");
     panel.add(thumbnail, "split 2, span, growx 0");
     panel.add(facts, "growx, wmin 0");
-    panel.add(LabelFactory.of(Texts.of("terms.type"), type, "consistencyType"));
-    panel.add(type, "wmin 0");
-    panel.add(LabelFactory.of(Texts.of("terms.degree"), degree, "degreeOfConsistency"));
-    panel.add(degree, "wmin pref");
-    panel.add(LabelFactory.of(Texts.of("terms.schemas"), schemas, "schemaBelonginess"));
-    panel.add(schemas, "spanx 3, wmin 0");
-    JPanel complaints = LabelFactory.room(typeComplaint, degreeComplaint, schemasComplaint);
-    panel.add(complaints, "skip 1, spanx 3, wmin 0, hmin pref");
+    metadata.addTo(panel);
     panel.getAccessibleContext().setAccessibleName(Texts.of("form.choice", number));
-    fields =
-        List.of(
-            FieldBinding.of(
-                type, typeComplaint, new FieldBinding.Source(editing::type, editing::type)),
-            FieldBinding.of(
-                degree, degreeComplaint, new FieldBinding.Source(editing::degree, editing::degree)),
-            FieldBinding.of(
-                schemas,
-                schemasComplaint,
-                new FieldBinding.Source(editing::schemas, editing::schemas)));
     follow(node);
   }
 
-  private static void name(JComponent control, String name, HelpTopic topic) {
-    control.setName(name);
-    control.getAccessibleContext().setAccessibleName(name);
-    topic.explain(control);
+  private Optional<EnrichedSwitch> now() {
+    return session
+        .enrichment()
+        .switchNode(element)
+        .filter(now -> choice.index() < now.choices().size());
+  }
+
+  private ChoiceMetadata values(EnrichedSwitch now) {
+    return now.values().get(choice.index());
+  }
+
+  private Edit described(ChoiceMetadata wanted) {
+    return session.edits().choice(now().orElseThrow(), choice.index(), wanted);
   }
 
   private static String where(ChoiceNode choice) {
@@ -166,22 +142,15 @@ final class ChoiceForm {
         Texts.of(
             node.whichChoice() == choice.index() ? "form.choice.start" : "form.choice",
             String.valueOf(choice.index())));
-    fields.forEach(FieldBinding::follow);
-  }
-
-  /** Columns of a field for degrees: it fits the longest number, and the word for none. */
-  private static int columns(JTextField field) {
-    FontMetrics metrics = field.getFontMetrics(field.getFont());
-    int word = metrics.stringWidth(DegreeFormat.none());
-    return Math.max(4, 1 + (int) Math.ceil((double) word / metrics.charWidth('m')));
+    metadata.follow();
   }
 
   void commit() {
-    fields.forEach(FieldBinding::commit);
+    metadata.commit();
   }
 
   void dispose() {
-    fields.forEach(FieldBinding::close);
+    metadata.close();
     if (loading != null) {
       loading.cancel();
     }

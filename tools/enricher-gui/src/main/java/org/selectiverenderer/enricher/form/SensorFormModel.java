@@ -8,7 +8,7 @@ import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.schema.SensorSchemas;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
-/** The schemas of an area as texts that an author edits; works like {@link ChoiceFormModel}. */
+/** The schemas of an area as texts that an author edits; works like {@link MetadataFormModel}. */
 final class SensorFormModel {
   private final EnricherSession session;
   private final DocumentElement element;

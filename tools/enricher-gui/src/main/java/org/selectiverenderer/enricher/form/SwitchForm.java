@@ -42,7 +42,10 @@ final class SwitchForm implements Form {
           load();
         }
       };
+  private final JPanel pages =
+      new JPanel(new MigLayout("insets 0, wrap 1, hidemode 3", "[grow,fill]"));
   private final JButton more = new JButton();
+  private final QualitiesForm qualities;
 
   SwitchForm(EnricherSession session, VersionImageRenderer pictures, EnrichedSwitch node) {
     this.session = session;
@@ -62,6 +65,9 @@ final class SwitchForm implements Form {
         LabelFactory.names("consistencyType", "degreeOfConsistency", "schemaBelonginess"),
         "wmin 0");
 
+    panel.add(pages, "wmin 0");
+    qualities = new QualitiesForm(session, node);
+    panel.add(qualities.component(), "wmin 0");
     more.addActionListener(event -> node().ifPresent(this::page));
     page(node);
   }
@@ -71,18 +77,18 @@ final class SwitchForm implements Form {
   }
 
   private void page(EnrichedSwitch node) {
-    panel.remove(more);
+    pages.remove(more);
     int end = Math.min(size, choices.size() + PAGE);
     for (int i = choices.size(); i < end; i++) {
       ChoiceForm choice =
           new ChoiceForm(session, pictures, node, node.choices().get(i), tools.buttons(i, size));
       choices.add(choice);
-      panel.add(new JSeparator());
-      panel.add(choice.component(), "wmin 0");
+      pages.add(new JSeparator());
+      pages.add(choice.component(), "wmin 0");
     }
     if (end < size) {
       Mnemonics.on(more, Texts.of("form.more", DecimalFormatter.grouped(size - end)));
-      panel.add(more, "growx 0");
+      pages.add(more, "growx 0");
     }
     panel.revalidate();
     load();
@@ -116,13 +122,19 @@ final class SwitchForm implements Form {
   public void follow() {
     name.field().follow();
     tools.field().follow();
-    node().ifPresent(node -> choices.forEach(choice -> choice.follow(node)));
+    node()
+        .ifPresent(
+            node -> {
+              choices.forEach(choice -> choice.follow(node));
+              qualities.follow(node);
+            });
   }
 
   @Override
   public void commit() {
     name.field().commit();
     choices.forEach(ChoiceForm::commit);
+    qualities.commit();
   }
 
   @Override
@@ -130,5 +142,6 @@ final class SwitchForm implements Form {
     name.field().close();
     tools.field().close();
     choices.forEach(ChoiceForm::dispose);
+    qualities.close();
   }
 }

@@ -2,6 +2,7 @@ package org.selectiverenderer.enricher.overview;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -11,6 +12,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import javax.swing.table.AbstractTableModel;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
@@ -217,8 +219,44 @@ final class OverviewTableModel extends AbstractTableModel {
     return ConsistencySymbol.of(overview.cell(rows.node(row), schema(column)));
   }
 
+  /** The longest usual text of a cell about qualities beside versions; empty for no such object. */
+  String longestOthers() {
+    return overview.objects().stream()
+        .map(
+            node ->
+                node.qualities().stream()
+                    .map(quality -> quality.quality().spelling() + " high")
+                    .distinct()
+                    .collect(Collectors.joining(", ")))
+        .max(Comparator.comparingInt(String::length))
+        .orElse("");
+  }
+
+  /**
+   * What a cell says beside the degree of the versions: of column 0 the names of the object's other
+   * qualities, else their degrees; empty for none.
+   */
+  String others(int row, int column) {
+    EnrichedSwitch node = rows.node(row);
+    if (column == 0) {
+      return node.qualities().stream()
+          .map(quality -> quality.quality().spelling())
+          .distinct()
+          .collect(Collectors.joining(", "));
+    }
+    return overview.levels(node, schema(column)).entrySet().stream()
+        .map(level -> level.getKey().spelling() + " " + level.getValue().spelling())
+        .collect(Collectors.joining(", "));
+  }
+
   /** The tooltip of a cell. */
   String explanation(int row, int column) {
+    String others = others(row, column);
+    String own = explanationOfVersions(row, column);
+    return others.isEmpty() ? own : own + Texts.of("overview.others", others);
+  }
+
+  private String explanationOfVersions(int row, int column) {
     EnrichedSwitch node = rows.node(row);
     if (column == 0) {
       return Texts.of(

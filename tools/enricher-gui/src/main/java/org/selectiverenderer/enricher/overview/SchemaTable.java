@@ -121,10 +121,15 @@ final class SchemaTable extends ShortcutTable {
     columns.setSelectionModel(getColumnModel().getSelectionModel());
     columns.getSelectionModel().clearSelection();
     columns.setColumnSelectionAllowed(getColumnModel().getColumnSelectionAllowed());
+    String others = model.longestOthers();
+    String wide = others.isEmpty() ? "" : "mm high \u00b7 " + others + "m";
     for (int i = 1; i < model.getColumnCount(); i++) {
       TableColumn column = new TableColumn(i);
       column.setHeaderValue(model.getColumnName(i));
-      int width = getFontMetrics(getFont()).stringWidth(model.getColumnName(i) + "mm");
+      int width =
+          Math.max(
+              getFontMetrics(getFont()).stringWidth(model.getColumnName(i) + "mm"),
+              getFontMetrics(getFont()).stringWidth(wide));
       column.setPreferredWidth(Math.max(width, getFontMetrics(getFont()).stringWidth("m") * 7));
       columns.addColumn(column);
     }
@@ -285,10 +290,14 @@ final class SchemaTable extends ShortcutTable {
       super.getTableCellRendererComponent(table, value, selected, focused, row, column);
       ConsistencySymbol sign = model.sign(row, table.convertColumnIndexToModel(column));
       setIcon(sign.icon());
+      String others = model.others(row, table.convertColumnIndexToModel(column));
+      if (!others.isEmpty()) {
+        setText(String.valueOf(value).isEmpty() ? others : value + " \u00b7 " + others);
+      }
       if (!selected) {
         setBackground(sign.ground(table.getBackground()));
       }
-      getAccessibleContext().setAccessibleName((value + " " + sign.words()).strip());
+      getAccessibleContext().setAccessibleName((getText() + " " + sign.words()).strip());
       return this;
     }
   }

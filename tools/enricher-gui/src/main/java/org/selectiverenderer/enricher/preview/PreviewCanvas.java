@@ -133,6 +133,7 @@ final class PreviewCanvas extends AccessibleCanvas {
             frame.polygons(),
             DecimalFormatter.grouped(frame.polygons()),
             DecimalFormatter.grouped(frame.drawn())));
+    lines.add(Texts.of("counts.drawnin", DecimalFormatter.fixed(frame.milliseconds(), 1)));
     return lines;
   }
 

@@ -17,6 +17,7 @@ import org.selectiverenderer.schema.SensorSchemas;
  * @param polygons polygons of the whole scene in its present versions
  * @param drawn polygons after culling
  * @param samples per pixel; 0 for no anti-aliasing
+ * @param milliseconds that drawing the picture took, measured until its pixels were there
  * @param areas areas that the walking viewer is in, in the order of entering
  * @param schemas active schemas, by walking or by simulation
  * @param walking whether the author walks
@@ -35,6 +36,7 @@ record PreviewFrame(
     long polygons,
     long drawn,
     int samples,
+    double milliseconds,
     List<String> areas,
     List<String> schemas,
     boolean walking,
@@ -55,6 +57,7 @@ record PreviewFrame(
         polygons,
         drawn,
         samples,
+        milliseconds,
         areas,
         schemas,
         walking,

@@ -72,6 +72,7 @@ final class PreviewRenderer {
     if (selection.size() > 1) {
       outlined.addAll(queries.shapes(selection));
     }
+    long begun = System.nanoTime();
     PreviewImage picture =
         view.redraw(
             shown.world(),
@@ -83,6 +84,7 @@ final class PreviewRenderer {
             width,
             height,
             samples);
+    double milliseconds = (System.nanoTime() - begun) * 1e-6;
     return new PreviewFrame(
         outlined.isEmpty()
             ? ScreenshotConverter.of(picture.pixels())
@@ -92,6 +94,7 @@ final class PreviewRenderer {
         shown.world().instances().shownPolygons(),
         picture.drawn().triangles(),
         picture.samples(),
+        milliseconds,
         shown.enteredAreas(),
         shown.schemas(),
         shown.walking().isPresent(),

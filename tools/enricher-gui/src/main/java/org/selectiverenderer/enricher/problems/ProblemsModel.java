@@ -183,7 +183,9 @@ final class ProblemsModel {
   private boolean untouched(DocumentElement element) {
     return enrichment
             .switchNode(element)
-            .filter(node -> !node.enriched() && node.findings().isEmpty())
+            .filter(
+                node ->
+                    !node.enriched() && node.qualities().isEmpty() && node.findings().isEmpty())
             .isPresent()
         || enrichment
             .sensorNode(element)

@@ -26,6 +26,7 @@ import javax.swing.KeyStroke;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.authoring.EditRejectedException;
+import org.selectiverenderer.authoring.ratings.RatingScale;
 import org.selectiverenderer.authoring.ratings.ViewedObjects;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.files.InputFileReader;
@@ -55,6 +56,7 @@ public final class RatingsDialog extends JDialog {
   private final JTextField file = new JTextField(30);
   private final JCheckBox follow =
       Mnemonics.on(new JCheckBox("", true), Texts.of("ratings.follow"));
+  private final JCheckBox linear = Mnemonics.on(new JCheckBox(), Texts.of("ratings.linear"));
   private final JLabel summary = PlainText.only(new JLabel());
   private final JTabbedPane messages = new JTabbedPane();
   private final JList<String> leftOut = PlainText.entries(new JList<>());
@@ -134,8 +136,12 @@ public final class RatingsDialog extends JDialog {
     proposals.addActionListener(e -> model.acceptProposals());
 
     follow.addActionListener(e -> model.unratedFollow(follow.isSelected()));
+    linear.setToolTipText(Texts.of("ratings.linear.tip"));
+    linear.addActionListener(
+        e -> model.scale(linear.isSelected() ? RatingScale.LINEAR : RatingScale.BANDS));
     panel.add(proposals);
-    panel.add(follow);
+    panel.add(follow, "wrap");
+    panel.add(linear, "span");
     return panel;
   }
 

@@ -15,6 +15,7 @@ import org.selectiverenderer.authoring.ratings.GazeProposal;
 import org.selectiverenderer.authoring.ratings.ObjectNameMatcher;
 import org.selectiverenderer.authoring.ratings.ObjectNameMatcher.Match;
 import org.selectiverenderer.authoring.ratings.RatingPlan;
+import org.selectiverenderer.authoring.ratings.RatingScale;
 import org.selectiverenderer.authoring.ratings.Ratings;
 import org.selectiverenderer.authoring.ratings.ViewedObjects;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
@@ -41,6 +42,7 @@ final class RatingsImportModel {
   private @Nullable ObjectNameMatcher matching;
   private @Nullable RatingPlan plan;
   private boolean unratedFollow = true;
+  private RatingScale scale = RatingScale.BANDS;
   private final GazeImport gaze = new GazeImport();
   private boolean gazeStale;
 
@@ -127,6 +129,12 @@ final class RatingsImportModel {
     work();
   }
 
+  /** Sets how ratings choose among versions. */
+  void scale(RatingScale chosen) {
+    scale = chosen;
+    work();
+  }
+
   /** Assigns a Switch to an object of the table; empty for none. */
   void match(String object, Optional<String> switchName) {
     ObjectNameMatcher current = matching;
@@ -156,13 +164,14 @@ final class RatingsImportModel {
     if (table == null && gaze.chosen().isEmpty()) {
       plan = null;
     } else {
-      Ratings all = gaze.onto(table == null ? new Ratings(Map.of()) : table, viewed());
+      Ratings all = gaze.onto(table == null ? new Ratings(Map.of()) : table, viewed(), scale);
       plan =
           RatingPlan.of(
               enrichment,
               all,
               GazeImport.matching(all, matching, enrichment),
-              unratedFollow && table != null);
+              unratedFollow && table != null,
+              scale);
     }
     listeners.forEach(Runnable::run);
   }

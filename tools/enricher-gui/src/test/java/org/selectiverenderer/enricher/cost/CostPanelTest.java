@@ -29,7 +29,7 @@ import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.schema.ConsistencyType;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.testing.robot.GuiRobot;
-import org.selectiverenderer.validation.PolygonBudget;
+import org.selectiverenderer.validation.CostBudget;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 /** Polygons, limits and contributions beside the author's edits. */
@@ -165,7 +165,7 @@ class CostPanelTest {
                 .settings(new ProblemCollector())
                 .orElseThrow()
                 .budgets())
-        .containsExactly(new PolygonBudget("scene.x3d", "Office", List.of("Desk"), 15));
+        .containsExactly(new CostBudget("scene.x3d", "Office", List.of("Desk"), 15));
     assertThat(changes).containsExactly("other");
 
     describe(session, 1);

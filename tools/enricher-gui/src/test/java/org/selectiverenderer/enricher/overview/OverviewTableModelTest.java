@@ -154,4 +154,41 @@ class OverviewTableModelTest {
     assertThat(column(1)).containsExactly("high", "low", "");
     assertThat(scene.document.history().names()).containsExactly("Paste 2 cells");
   }
+
+  @Test
+  void anObjectSaysTheDegreesOfItsOtherQualities() {
+    EnrichmentScenes jug =
+        EnrichmentScenes.with(
+            """
+            <Switch DEF='Switch_Jug' whichChoice='0'>
+              <MetadataSet containerField='metadata'>
+                <MetadataSet containerField='metadata' name='fieldQualities'>
+                  <MetadataSet containerField='value'>
+                    <MetadataString containerField='value' name='quality' value='"textures"'/>
+                    <MetadataString containerField='value' name='field' value='"T.url"'/>
+                    <MetadataSet containerField='value'>
+                      <MetadataString containerField='value' name='schemaBelonginess' value='"Hall"'/>
+                      <MetadataString containerField='value' name='value' value='"a.png"'/>
+                    </MetadataSet>
+                    <MetadataSet containerField='value'>
+                      <MetadataString containerField='value' name='schemaBelonginess' value='"Cellar"'/>
+                      <MetadataString containerField='value' name='degreeOfConsistency' value='"0.75"'/>
+                      <MetadataString containerField='value' name='value' value='"b.png"'/>
+                    </MetadataSet>
+                  </MetadataSet>
+                </MetadataSet>
+              </MetadataSet>
+              <Group/>
+            </Switch>
+            """);
+    OverviewTableModel table =
+        new OverviewTableModel(jug.enrichment, making -> jug.perform(making.get()));
+    assertThat(table.longestOthers()).isEqualTo("textures high");
+    assertThat(table.others(0, 0)).isEqualTo("textures");
+    assertThat(table.schemas()).containsExactlyInAnyOrder("Hall", "Cellar");
+    assertThat(table.others(0, 1 + table.schemas().indexOf("Hall"))).isEqualTo("textures low");
+    assertThat(table.others(0, 1 + table.schemas().indexOf("Cellar"))).isEqualTo("textures 0.75");
+    assertThat(table.explanation(0, 0)).endsWith("other qualities: textures");
+    assertThat(model.longestOthers()).isEmpty();
+  }
 }

@@ -13,6 +13,7 @@ import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.loading.SceneLoader;
 import org.selectiverenderer.browser.nodes.NodeFactory;
 import org.selectiverenderer.browser.nodes.group.SwitchNode;
+import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.ReadLimits;
 
@@ -35,13 +36,61 @@ class SchemaSimulatorTest {
       World world = new World(loader.load(scene), problems);
       PreviewNodeIndex nodes = new PreviewNodeIndex(world);
       SwitchNode object = nodes.switches().iterator().next();
-      SchemaSimulator asIf = new SchemaSimulator(nodes.switches(), world.cascade());
+      SchemaSimulator asIf = new SchemaSimulator(
+              nodes.switches(), (node, name) -> world.scene().find(name), world.cascade());
 
       asIf.apply(List.of("Desk"));
       assertThat(object.whichChoice()).isZero();
       asIf.reset();
       assertThat(object.whichChoice()).isEqualTo(1);
       assertThat(nodes.all()).doesNotContain(object);
+    }
+  }
+
+  @Test
+  void fieldsThatAreQualitiesFollowTheSchemas(@TempDir Path dir) throws IOException {
+    Path scene =
+        Files.writeString(
+            dir.resolve("scene.x3d"),
+            FILE.formatted(
+                """
+                <Switch DEF='Sofa' whichChoice='0'>
+                  <MetadataSet containerField='metadata'>
+                    <MetadataSet containerField='metadata' name='fieldQualities'>
+                      <MetadataSet containerField='value'>
+                        <MetadataString containerField='value' name='quality' value='"light"'/>
+                        <MetadataString containerField='value' name='field' value='"Lamp.intensity"'/>
+                        <MetadataSet containerField='value'>
+                          <MetadataString containerField='value' name='schemaBelonginess' value='"Hall"'/>
+                          <MetadataString containerField='value' name='value' value='"0.75"'/>
+                        </MetadataSet>
+                        <MetadataSet containerField='value'>
+                          <MetadataString containerField='value' name='schemaBelonginess' value='"Desk"'/>
+                          <MetadataString containerField='value' name='value' value='"0.25"'/>
+                        </MetadataSet>
+                      </MetadataSet>
+                    </MetadataSet>
+                  </MetadataSet>
+                  <Group><PointLight DEF='Lamp' intensity='0.5'/></Group>
+                </Switch>
+                """));
+    ProblemCollector problems = new ProblemCollector();
+    try (SceneLoader loader =
+        new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems)) {
+      World world = new World(loader.load(scene), problems);
+      PreviewNodeIndex nodes = new PreviewNodeIndex(world);
+      SchemaSimulator asIf =
+          new SchemaSimulator(
+              nodes.switches(), (node, name) -> world.scene().find(name), world.cascade());
+      Node lamp = world.scene().find("Lamp").orElseThrow();
+      asIf.apply(List.of("Desk"));
+      assertThat(lamp.value("intensity")).isEqualTo(0.25f);
+      asIf.apply(List.of("Desk", "Hall"));
+      assertThat(lamp.value("intensity")).isEqualTo(0.75f);
+      asIf.reset();
+      assertThat(lamp.value("intensity")).isEqualTo(0.5f);
+      asIf.detailed();
+      assertThat(lamp.value("intensity")).isEqualTo(0.75f);
     }
   }
 }

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.authoring.enrichment.EnrichmentScenes;
+import org.selectiverenderer.authoring.ratings.RatingScale;
 import org.selectiverenderer.enricher.robot.TestSessions;
 
 class RatingsImportModelTest {
@@ -28,6 +29,16 @@ class RatingsImportModelTest {
     assertThat(implied.getValueAt(0, 2)).isEqualTo("5.50");
     assertThat(implied.getValueAt(0, 3)).isEqualTo("2");
     assertThat(implied.getValueAt(0, 4)).isEqualTo("expected, from 4");
+    assertThat(implied.getValueAt(0, 5)).isEqualTo("version 2: consistent, high");
+    assertThat(implied.getValueAt(1, 5)).isEqualTo("version 1: inconsistent, low");
+  }
+
+  @Test
+  void ratingsAsAScaleChangeTheVersionAtOnce() {
+    read("Sink,Kitchen,3.8", "TrashCan,Kitchen,3.2");
+    ImpliedMetadataTableModel implied = new ImpliedMetadataTableModel(model);
+    assertThat(implied.getValueAt(1, 5)).isEqualTo("version 2: consistent, high");
+    model.scale(RatingScale.LINEAR);
     assertThat(implied.getValueAt(0, 5)).isEqualTo("version 2: consistent, high");
     assertThat(implied.getValueAt(1, 5)).isEqualTo("version 1: inconsistent, low");
   }

@@ -22,6 +22,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.authoring.ratings.ObjectNameMatcher;
 import org.selectiverenderer.authoring.ratings.RatingPlan;
+import org.selectiverenderer.authoring.ratings.RatingScale;
 import org.selectiverenderer.authoring.ratings.Ratings;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.enricher.diff.DiffDialog;
@@ -219,7 +220,7 @@ class PicturesTest {
     Ratings ratings = Ratings.read("ratings.csv", table, new ProblemCollector()).orElseThrow();
     var matching = new ObjectNameMatcher(ratings.means().keySet(), session.enrichment().switches());
     session.perform(
-        RatingPlan.of(session.enrichment(), ratings, matching, true).edit("Import ratings"));
+        RatingPlan.of(session.enrichment(), ratings, matching, true, RatingScale.BANDS).edit("Import ratings"));
     DiffDialog dialog = GuiRobot.onEdt(() -> new DiffDialog(null, session));
     hands.show(dialog);
     JList<?> lines = GuiRobot.named(dialog, "Changes of the file", JList.class);

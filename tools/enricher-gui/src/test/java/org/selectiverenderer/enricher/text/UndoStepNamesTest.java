@@ -21,6 +21,10 @@ class UndoStepNamesTest {
       assertThat(names.shown("Add an empty choice to Sofa"))
           .isEqualTo("Προσθήκη κενής επιλογής: Sofa");
       assertThat(names.shown("Rename {0} to Bed")).isEqualTo("Μετονομασία: {0} σε Bed");
+      assertThat(names.shown("Add the quality textures to Sofa"))
+          .isEqualTo("Προσθήκη της ποιότητας textures στο Sofa");
+      assertThat(names.shown("Set level 1 of Sofa.url"))
+          .isEqualTo("Τιμή της στάθμης 1 του Sofa.url");
       assertThat(names.shown("Typing")).isEqualTo("Πληκτρολόγηση");
       assertThat(names.shown("Επικόλληση")).isEqualTo("Επικόλληση");
     } finally {

@@ -2,46 +2,43 @@ package org.selectiverenderer.enricher.form;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.enrichment.ChoiceMetadata;
-import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.schema.ConsistencyType;
-import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * The metadata of one choice of a Switch as texts that an author edits. Each change is one edit of
- * the document; an invalid text is not written, and the answer says why.
+ * The metadata of a version, or of a level of another quality, as texts that an author edits. Each
+ * change is one edit of the document; an invalid text is not written, and the answer says why.
  */
-final class ChoiceFormModel {
+final class MetadataFormModel {
   /** The text for a type that is not set. */
   static String none() {
     return DegreeFormat.none();
   }
 
   private final EnricherSession session;
-  private final DocumentElement element;
-  private final int index;
+  private final Supplier<Optional<ChoiceMetadata>> read;
+  private final Function<ChoiceMetadata, Edit> edit;
 
   /**
-   * @param element a Switch
-   * @param index of the choice, from 0
+   * @param read the metadata in the document; empty where they are gone
+   * @param edit makes the edit that sets other metadata
    */
-  ChoiceFormModel(EnricherSession session, DocumentElement element, int index) {
+  MetadataFormModel(
+      EnricherSession session,
+      Supplier<Optional<ChoiceMetadata>> read,
+      Function<ChoiceMetadata, Edit> edit) {
     this.session = session;
-    this.element = element;
-    this.index = index;
-  }
-
-  private Optional<EnrichedSwitch> node() {
-    return session
-        .enrichment()
-        .switchNode(element)
-        .filter(switchNode -> index < switchNode.choices().size());
+    this.read = read;
+    this.edit = edit;
   }
 
   private ChoiceMetadata values() {
-    return node().map(switchNode -> switchNode.values().get(index)).orElse(ChoiceMetadata.NONE);
+    return read.get().orElse(ChoiceMetadata.NONE);
   }
 
   String type() {
@@ -84,12 +81,10 @@ final class ChoiceFormModel {
   }
 
   private Optional<String> write(ChoiceMetadata wanted) {
-    node()
-        .filter(now -> !now.values().get(index).equals(wanted))
+    read.get()
+        .filter(now -> !now.equals(wanted))
         .ifPresent(
-            now ->
-                session.attempt(
-                    () -> session.document().perform(session.edits().choice(now, index, wanted))));
+            now -> session.attempt(() -> session.document().perform(edit.apply(wanted))));
     return Optional.empty();
   }
 }
