@@ -183,11 +183,11 @@ class EnrichCommandTest {
   private Path roomWithLogs(int participants) throws IOException {
     double[] attention = {1, -1, 0, 1, -1, 0, 1, -1, 0, 1, -1, 0, 1, -1, 0, 0};
     GazeSimulator room =
-        new GazeSimulator(
-            "room.x3d", List.of("OfficeSchema"), GazeSimulator.along(attention, 1));
+        new GazeSimulator("room.x3d", List.of("OfficeSchema"), GazeSimulator.along(attention, 1));
     for (int p = 1; p <= participants; p++) {
       GazeSimulator.write(
-          room.log(60, p), folder.resolve("study/sub-%02d/ses-01/head/room_run-01.csv".formatted(p)));
+          room.log(60, p),
+          folder.resolve("study/sub-%02d/ses-01/head/room_run-01.csv".formatted(p)));
     }
     StringBuilder scene = new StringBuilder("<X3D><Scene>\n");
     for (int i = 1; i <= attention.length; i++) {

@@ -210,14 +210,14 @@ public final class QualityEdits {
     own(field.element());
     EnrichedField.Level last = field.levels().get(field.levels().size() - 1);
     VersionMetadata undescribed =
-        new VersionMetadata(
-            field.levels().size(), Optional.empty(), Optional.empty(), List.of());
+        new VersionMetadata(field.levels().size(), Optional.empty(), Optional.empty(), List.of());
     return new Edit(
         "Add a level to " + field.target(),
         List.of(
             layout.insertAfter(
                 last.element(),
-                new FieldQualityEdits(document).level(field.element(), undescribed, last.values()))));
+                new FieldQualityEdits(document)
+                    .level(field.element(), undescribed, last.values()))));
   }
 
   /** Deletes a level; the last one goes with its quality only. */

@@ -16,8 +16,8 @@ final class QualityFieldNaming {
   private QualityFieldNaming() {}
 
   /**
-   * Returns the change of a MetadataString that names a field of a renamed node; empty for all other
-   * elements.
+   * Returns the change of a MetadataString that names a field of a renamed node; empty for all
+   * other elements.
    *
    * @param renamed returns the new name of a node, or the same
    */

@@ -59,8 +59,7 @@ class QualityEditsTest {
             </MetadataSet>
       """;
 
-  private static final String OUTER =
-      "    <MetadataSet containerField='metadata' name='Sofa'>\n";
+  private static final String OUTER = "    <MetadataSet containerField='metadata' name='Sofa'>\n";
 
   private static final String ENRICHED = VERSIONS.replace(OUTER, OUTER + QUALITIES);
 

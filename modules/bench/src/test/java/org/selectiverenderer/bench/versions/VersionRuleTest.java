@@ -17,7 +17,9 @@ import org.selectiverenderer.control.SelectiveController.Settings;
 import org.selectiverenderer.control.budget.RenderingBudget;
 import org.selectiverenderer.walkthrough.budget.ObjectPlaces;
 
-/** Each rule keeps the budget and spends it as it says; two objects, near and small, far and big. */
+/**
+ * Each rule keeps the budget and spends it as it says; two objects, near and small, far and big.
+ */
 class VersionRuleTest {
   @TempDir private Path folder;
   private ControlledWorld live;

@@ -149,9 +149,7 @@ public final class ConsistencyEstimator {
   }
 
   private static double expected(OptionalDouble rating) {
-    return rating.isPresent()
-        ? ConsistencyEstimate.expectedAttention(rating.getAsDouble())
-        : 0;
+    return rating.isPresent() ? ConsistencyEstimate.expectedAttention(rating.getAsDouble()) : 0;
   }
 
   private Evidence evidence(Key key) {

@@ -36,8 +36,8 @@ record ParticipantAttention(
   }
 
   /**
-   * What this participant saw and did altogether, for a size exponent: what is expected of an object
-   * is its share of it.
+   * What this participant saw and did altogether, for a size exponent: what is expected of an
+   * object is its share of it.
    *
    * @param exponent of the solid angle to which attention is expected to be proportional
    * @param exposure sum over the objects of time in view times size
@@ -58,8 +58,8 @@ record ParticipantAttention(
 
   /**
    * Returns how often an object was attended relative to what its time in view and its size let
-   * expect, as a natural logarithm: the weighted mean of those of three rates, each (observed + 1/2)
-   * / (expected + 1/2). They are the dwell time, counted in this participant's mean looks; the
+   * expect, as a natural logarithm: the weighted mean of those of three rates, each (observed +
+   * 1/2) / (expected + 1/2). They are the dwell time, counted in this participant's mean looks; the
    * looks; and whether there was a first look in the time that the object waited for one, which is
    * censored where there was none.
    */
@@ -67,9 +67,7 @@ record ParticipantAttention(
     double mean = totals.looks > 0 ? totals.dwell / totals.looks : 1;
     double expected = expectedLooks(object, totals);
     double first =
-        totals.waiting > 0
-            ? totals.found * waiting(object, totals.exponent) / totals.waiting
-            : 0;
+        totals.waiting > 0 ? totals.found * waiting(object, totals.exponent) / totals.waiting : 0;
     return (DWELL * rate(object.dwell() / mean, expected)
             + LOOKS * rate(object.looks(), expected)
             + FIRST * rate(object.found(), first))

@@ -163,8 +163,7 @@ public final class ViewingData {
     seen.forEach(
         (participant, areas) ->
             areas.forEach(
-                (area, objects) ->
-                    all.add(new ParticipantAttention(participant, area, objects))));
+                (area, objects) -> all.add(new ParticipantAttention(participant, area, objects))));
     return all;
   }
 }

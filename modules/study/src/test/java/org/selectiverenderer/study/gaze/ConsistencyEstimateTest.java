@@ -80,7 +80,8 @@ class ConsistencyEstimateTest {
             "Small", new ObjectAttention(12, 12 * 0.01, 1, 1, 2, 2, 2));
     ParticipantAttention seen = new ParticipantAttention("p", AREA, objects);
     assertThat(expectedLooks(seen, "Large", 0.5)).isCloseTo(6, within(1e-12));
-    assertThat(relativeAttention(seen, "Large", 0.5)).isLessThan(relativeAttention(seen, "Large", 0));
+    assertThat(relativeAttention(seen, "Large", 0.5))
+        .isLessThan(relativeAttention(seen, "Large", 0));
   }
 
   @Test
@@ -91,7 +92,8 @@ class ConsistencyEstimateTest {
     assertThat(seen.objects()).isEmpty();
   }
 
-  private static double relativeAttention(ParticipantAttention seen, String object, double exponent) {
+  private static double relativeAttention(
+      ParticipantAttention seen, String object, double exponent) {
     return seen.relativeAttention(
         Objects.requireNonNull(seen.objects().get(object)), seen.totals(exponent));
   }

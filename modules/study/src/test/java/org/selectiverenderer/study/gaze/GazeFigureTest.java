@@ -143,8 +143,7 @@ class GazeFigureTest {
       List<Point> points = new ArrayList<>();
       for (String line : figures.subList(1, figures.size())) {
         String[] cells = line.split(",");
-        points.add(
-            new Point(Double.parseDouble(cells[0]), Double.parseDouble(cells[column])));
+        points.add(new Point(Double.parseDouble(cells[0]), Double.parseDouble(cells[column])));
       }
       curves.add(new Curve(names[column - 1], points));
     }

@@ -33,8 +33,7 @@ final class GazeImport {
   void take(GazeProposals read, List<GazeProposal> fresh) {
     logs = read;
     proposals = List.copyOf(fresh);
-    accepted.retainAll(
-        proposals.stream().filter(GazeProposal::applicable).map(Key::of).toList());
+    accepted.retainAll(proposals.stream().filter(GazeProposal::applicable).map(Key::of).toList());
   }
 
   /** The logs that were read; null for none. */

@@ -122,8 +122,10 @@ public final class RatingsDialog extends JDialog {
     JSplitPane split =
         new JSplitPane(
             JSplitPane.HORIZONTAL_SPLIT,
-            RatingsTableFactory.captioned(Mnemonics.label("ratings.caption.matches"), matches, 48, 14),
-            RatingsTableFactory.captioned(Mnemonics.label("ratings.caption.implied"), implied, 86, 14));
+            RatingsTableFactory.captioned(
+                Mnemonics.label("ratings.caption.matches"), matches, 48, 14),
+            RatingsTableFactory.captioned(
+                Mnemonics.label("ratings.caption.implied"), implied, 86, 14));
     split.setResizeWeight(0.4);
     split.setBorder(null);
     return split;

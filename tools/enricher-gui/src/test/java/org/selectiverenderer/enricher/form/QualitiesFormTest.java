@@ -72,8 +72,7 @@ class QualitiesFormTest {
   }
 
   private static String undo(FormWindowDriver window) {
-    return EventThread.get(
-        () -> window.session.document().history().undoName().orElse("nothing"));
+    return EventThread.get(() -> window.session.document().history().undoName().orElse("nothing"));
   }
 
   @Test

@@ -220,7 +220,8 @@ class PicturesTest {
     Ratings ratings = Ratings.read("ratings.csv", table, new ProblemCollector()).orElseThrow();
     var matching = new ObjectNameMatcher(ratings.means().keySet(), session.enrichment().switches());
     session.perform(
-        RatingPlan.of(session.enrichment(), ratings, matching, true, RatingScale.BANDS).edit("Import ratings"));
+        RatingPlan.of(session.enrichment(), ratings, matching, true, RatingScale.BANDS)
+            .edit("Import ratings"));
     DiffDialog dialog = GuiRobot.onEdt(() -> new DiffDialog(null, session));
     hands.show(dialog);
     JList<?> lines = GuiRobot.named(dialog, "Changes of the file", JList.class);
