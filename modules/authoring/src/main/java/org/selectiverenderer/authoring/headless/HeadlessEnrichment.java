@@ -163,7 +163,7 @@ public final class HeadlessEnrichment {
     }
     ViewedObjects objects = new ViewedObjects(enrichment, prior, matching);
     proposals = List.copyOf(source.of(objects, problems));
-    Ratings accepted = ViewedObjects.of(enrichment).with(new Ratings(Map.of()), proposals);
+    Ratings accepted = ViewedObjects.of(enrichment).with(new Ratings(Map.of()), proposals, scale);
     Set<String> names = accepted.means().keySet();
     ObjectNameMatcher switches = new ObjectNameMatcher(names, enrichment.switches());
     names.forEach(name -> switches.choose(name, name));

@@ -43,10 +43,13 @@ public record GazeProposal(
   }
 
   /**
-   * Returns the rating that shows the version which the degree asks for: up to 3 for an
-   * inconsistent object, above it for a consistent one, from 4 for degrees from 3/4.
+   * Returns the rating that shows the version which the degree asks for. In bands it is up to 3 for
+   * an inconsistent object, above it for a consistent one, from 4 for degrees from 3/4.
    */
-  double equivalentRating() {
-    return degree < 0.75 ? 1 + 4 * degree : 8 * degree - 2;
+  double equivalentRating(RatingScale scale) {
+    return switch (scale) {
+      case BANDS -> degree < 0.75 ? 1 + 4 * degree : 8 * degree - 2;
+      case LINEAR -> 1 + 5 * degree;
+    };
   }
 }

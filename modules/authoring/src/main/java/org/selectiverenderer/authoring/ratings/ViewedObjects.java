@@ -109,8 +109,9 @@ public final class ViewedObjects {
    * that cannot be that of a schema is left out.
    *
    * @param onto the ratings to which the proposals are added
+   * @param scale how ratings choose among versions
    */
-  public Ratings with(Ratings onto, Collection<GazeProposal> accepted) {
+  public Ratings with(Ratings onto, Collection<GazeProposal> accepted, RatingScale scale) {
     Map<String, Map<String, Mean>> means = new LinkedHashMap<>();
     onto.means().forEach((object, own) -> means.put(object, new LinkedHashMap<>(own)));
     for (GazeProposal proposal : accepted) {
@@ -120,7 +121,7 @@ public final class ViewedObjects {
             .computeIfAbsent(name, key -> new LinkedHashMap<>())
             .put(
                 proposal.schema(),
-                new Mean(proposal.equivalentRating(), proposal.evidence().participants()));
+                new Mean(proposal.equivalentRating(scale), proposal.evidence().participants()));
       }
     }
     return new Ratings(means);

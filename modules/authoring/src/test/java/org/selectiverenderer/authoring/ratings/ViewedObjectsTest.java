@@ -52,7 +52,8 @@ class ViewedObjectsTest {
   @Test
   void areasAreNamedBySchemasOfTheSceneAndTheTableElseAfterThePlace() {
     EnrichmentScenes scene = EnrichmentScenes.with(object("Cup", 2) + SENSORS);
-    ViewedObjects objects = objects(scene, ratings("cup,DeskSchema,2\ncup,\"Living Room\",4\n"));
+    ViewedObjects objects =
+        objects(scene, ratings("cup,DeskSchema,2\ncup,\"Living Room\",4\n"));
     assertThat(objects.schema("Anything", true)).isEqualTo("Anything");
     assertThat(objects.schema("DeskProx", false)).isEqualTo("DeskSchema");
     assertThat(objects.schema("livingRoom", false)).isEqualTo("Living Room");
@@ -78,7 +79,7 @@ class ViewedObjectsTest {
     Ratings table = ratings("cup,DeskSchema,6\ncup,OfficeSchema,5\npen,OfficeSchema,5\n");
     Map<String, Map<String, Ratings.Mean>> means =
         objects(scene, table)
-            .with(table, List.of(proposal("Switch_Cup", "DeskSchema", 0.1, 2)))
+            .with(table, List.of(proposal("Switch_Cup", "DeskSchema", 0.1, 2)), RatingScale.BANDS)
             .means();
     assertThat(means.get("cup").get("DeskSchema").value()).isCloseTo(1.4, within(1e-12));
     assertThat(means.get("cup").get("DeskSchema").count()).isEqualTo(12);
@@ -95,7 +96,8 @@ class ViewedObjectsTest {
                     new Ratings(Map.of()),
                     List.of(
                         proposal("Switch_Cup", "DeskSchema", 0.1, 1),
-                        proposal("Switch_Cup", "Desk\nSchema", 0.1, 2)))
+                        proposal("Switch_Cup", "Desk\nSchema", 0.1, 2)),
+                    RatingScale.BANDS)
                 .means())
         .isEmpty();
   }
@@ -113,14 +115,14 @@ class ViewedObjectsTest {
     EnrichmentScenes scene = EnrichmentScenes.with(object("Cup", 4));
     Ratings accepted =
         ViewedObjects.of(scene.enrichment)
-            .with(new Ratings(Map.of()), List.of(proposal("Switch_Cup", "DeskSchema", degree, 4)));
+            .with(
+                new Ratings(Map.of()),
+                List.of(proposal("Switch_Cup", "DeskSchema", degree, 4)),
+                RatingScale.BANDS);
     ObjectNameMatcher switches =
         new ObjectNameMatcher(accepted.means().keySet(), scene.enrichment.switches());
     List<ChoiceMetadata> choices =
-        RatingPlan.of(scene.enrichment, accepted, switches, false, RatingScale.BANDS)
-            .rows()
-            .get(0)
-            .choices();
+        RatingPlan.of(scene.enrichment, accepted, switches, false, RatingScale.BANDS).rows().get(0).choices();
     for (int i = 0; i < choices.size(); i++) {
       if (!choices.get(i).isEmpty()) {
         assertThat(choices.get(i).type())

@@ -10,6 +10,7 @@ import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
 import org.selectiverenderer.authoring.ratings.GazeProposal;
 import org.selectiverenderer.authoring.ratings.ObjectNameMatcher;
 import org.selectiverenderer.authoring.ratings.ObjectNameMatcher.Match;
+import org.selectiverenderer.authoring.ratings.RatingScale;
 import org.selectiverenderer.authoring.ratings.Ratings;
 import org.selectiverenderer.authoring.ratings.ViewedObjects;
 
@@ -68,8 +69,8 @@ final class GazeImport {
   }
 
   /** Ratings with the accepted proposals in the place of those of the same object and schema. */
-  Ratings onto(Ratings ratings, ViewedObjects objects) {
-    return objects.with(ratings, chosen());
+  Ratings onto(Ratings ratings, ViewedObjects objects, RatingScale scale) {
+    return objects.with(ratings, chosen(), scale);
   }
 
   /**

@@ -164,7 +164,7 @@ final class RatingsImportModel {
     if (table == null && gaze.chosen().isEmpty()) {
       plan = null;
     } else {
-      Ratings all = gaze.onto(table == null ? new Ratings(Map.of()) : table, viewed());
+      Ratings all = gaze.onto(table == null ? new Ratings(Map.of()) : table, viewed(), scale);
       plan =
           RatingPlan.of(
               enrichment,
