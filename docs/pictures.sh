@@ -35,6 +35,7 @@ enricher-diff.png                  dialogs
 enricher-fault.png                 enricher
 enricher-fields.png                form
 enricher-find.png                  enricher
+enricher-gaze.png                  dialogs
 enricher-handles.png               enricher
 enricher-help.png                  enricher
 enricher-overview.png              dialogs
@@ -47,6 +48,7 @@ enricher-source.png                enricher
 enricher-switch.png                enricher
 enricher-versions.png              dialogs
 export-web.png                     web
+gaze-error.svg                     plots
 head-log.svg                       run
 headset-questions.png              headset
 hmd-check.png                      run
@@ -486,6 +488,7 @@ take() { # NAME HOW
     web-study-list.png) studyPage "$stem" "$to" 900x ;;
     web-study-phone.png) studyPage "$stem" "$to" 390x ;;
     polygons-*) plotted PolygonsPageTest -Dpolygons.update=true "$name" ;;
+    gaze-error.svg) plotted GazeFigureTest -Dplots.update=true "$name" ;;
     performance-*) plotted PerformancePlotsTest -Dplots.update=true "$name" ;;
     openxr.jpg)
       monado check

@@ -54,8 +54,7 @@ public final class StatusOverlay {
     walk.budget()
         .ifPresent(
             budget ->
-                lines.add(
-                    text("budget %s: %,d polygons", budget.budget(), budget.triangles())));
+                lines.add(text("budget %s: %,d polygons", budget.budget(), budget.triangles())));
     Viewer viewer = walk.world().viewer();
     Vector3dc eye = viewer.position();
     Vector3d ahead = viewer.orientation().transform(new Vector3d(0, 0, -1));

@@ -64,8 +64,7 @@ final class PrintedTests {
     int participants = test.df2() + 3;
     double variance = participants * difference * difference / test.f();
     return OptionalDouble.of(
-        (variances[0] + variances[1] - variance)
-            / (2 * Math.sqrt(variances[0] * variances[1])));
+        (variances[0] + variances[1] - variance) / (2 * Math.sqrt(variances[0] * variances[1])));
   }
 
   /** Returns F of the conditions. */
@@ -82,8 +81,7 @@ final class PrintedTests {
 
   private static double mean(ThesisTables.ScoreRow row, ThesisTables.PrintedEffect test) {
     ScoreTarget level = level(row, test.level());
-    double printed =
-        test.measure() == DetectionMeasure.D_PRIME ? level.dPrime() : level.logBeta();
+    double printed = test.measure() == DetectionMeasure.D_PRIME ? level.dPrime() : level.logBeta();
     return printed + Math.copySign(HALF, printed);
   }
 

@@ -77,8 +77,7 @@ final class ReplicationCharts {
    * @param rows of one measure at one level of confidence, without totals
    */
   String means(String title, List<ReplicationFindings.ScoreMean> rows) {
-    List<String> conditions =
-        rows.stream().map(row -> row.row().condition()).distinct().toList();
+    List<String> conditions = rows.stream().map(row -> row.row().condition()).distinct().toList();
     List<String> types = rows.stream().map(row -> row.row().type()).distinct().toList();
     double low = 0;
     double high = 0;
@@ -100,7 +99,8 @@ final class ReplicationCharts {
       boolean zero = Math.abs(value) < step / 2;
       canvas.rectangle(
           LEFT, Math.rint(y), WIDTH - LEFT - RIGHT, 1, zero ? ChartColour.GREY : ChartColour.GRID);
-      String number = String.format(Locale.ROOT, step < 0.1 ? "%.2f" : "%.1f", zero ? 0 : value)
+      String number =
+          String.format(Locale.ROOT, step < 0.1 ? "%.2f" : "%.1f", zero ? 0 : value)
               .replace('-', '\u2212');
       canvas.text(number, LEFT - 7 - plain.width(number), y + 4, plain, ChartColour.FAINT_INK);
     }

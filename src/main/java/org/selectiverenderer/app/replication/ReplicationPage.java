@@ -165,9 +165,7 @@ final class ReplicationPage {
               key -> new LinkedHashMap<>())
           .put(
               figure.statistic(),
-              row.same()
-                  ? good(row.computed())
-                  : off(figure.printed() + " / " + row.computed()));
+              row.same() ? good(row.computed()) : off(figure.printed() + " / " + row.computed()));
     }
     List<List<String>> rows = new ArrayList<>();
     effects.forEach(
@@ -178,7 +176,16 @@ final class ReplicationPage {
         });
     table(
         List.of(
-            "figure", "measure", "effect", "SS", "MS", "F", "p", "Pillai", "Wilks", "Hotelling",
+            "figure",
+            "measure",
+            "effect",
+            "SS",
+            "MS",
+            "F",
+            "p",
+            "Pillai",
+            "Wilks",
+            "Hotelling",
             "Roy"),
         rows);
     paragraph(
@@ -288,7 +295,8 @@ final class ReplicationPage {
     }
     table(header, rows);
     for (ThesisTables.ScoreRow row : printed) {
-      long present = own.stream().filter(one -> one.row().equals(row)).findFirst().orElseThrow().present();
+      long present =
+          own.stream().filter(one -> one.row().equals(row)).findFirst().orElseThrow().present();
       if (row.total() && present != row.objects()) {
         out.append("<p class=\"note\">")
             .append(
@@ -303,7 +311,16 @@ final class ReplicationPage {
   private void effects() {
     heading("Tests that the thesis tells");
     table(
-        List.of("source", "area", "confidence", "measure", "effect", "printed", "p", "simulated", "p",
+        List.of(
+            "source",
+            "area",
+            "confidence",
+            "measure",
+            "effect",
+            "printed",
+            "p",
+            "simulated",
+            "p",
             "from the tables"),
         findings.effects().stream()
             .map(
@@ -313,7 +330,8 @@ final class ReplicationPage {
                       row.simulated()
                           .map(effect -> f(effect.df1(), effect.df2(), effect.f()))
                           .orElse("\u2013");
-                  String p = row.simulated().map(Effect::p).map(ReplicationPage::p).orElse("\u2013");
+                  String p =
+                      row.simulated().map(Effect::p).map(ReplicationPage::p).orElse("\u2013");
                   return List.of(
                       cell(printed.source()),
                       words(printed.area()),

@@ -14,8 +14,7 @@ final class ReplicationSummary {
   static List<Line> of(ReplicationFindings findings) {
     List<Line> lines = new ArrayList<>();
     List<ReplicationFindings.PolygonRow> polygons = findings.polygons();
-    long exact =
-        polygons.stream().filter(ReplicationFindings.PolygonRow::asRecomputed).count();
+    long exact = polygons.stream().filter(ReplicationFindings.PolygonRow::asRecomputed).count();
     long printed = polygons.stream().filter(ReplicationFindings.PolygonRow::asPrinted).count();
     lines.add(
         new Line(

@@ -52,8 +52,13 @@ final class ThesisTables {
 
   /** A cell of Figs 92 and 96, with the covariance of its two types of objects. */
   record KitchenCell(
-      String measure, String type, String group, double mean, double sd, int n, double covariance) {
-  }
+      String measure,
+      String type,
+      String group,
+      double mean,
+      double sd,
+      int n,
+      double covariance) {}
 
   /** A number of Figs 93 to 98. */
   record KitchenFigure(
@@ -177,11 +182,11 @@ final class ThesisTables {
         throw new IllegalStateException("the program's table " + resource + " is missing");
       }
       return CsvTable.parse(
-              resource,
-              in.readAllBytes(),
-              (at, fault) -> {
-                throw new IllegalStateException(at + ": " + fault);
-              })
+          resource,
+          in.readAllBytes(),
+          (at, fault) -> {
+            throw new IllegalStateException(at + ": " + fault);
+          })
           .orElseThrow()
           .rows()
           .stream();

@@ -149,8 +149,7 @@ public final class SceneRunner {
     public LastPictures show(SceneRun run) throws IOException {
       run.awaitScene();
       do {
-        run.step()
-            .ifPresent(world -> world.seenIn(size.width(), size.height(), Optional.empty()));
+        run.step().ifPresent(world -> world.seenIn(size.width(), size.height(), Optional.empty()));
         run.submitted();
       } while (!run.finished());
       return LastPictures.NONE;

@@ -4,6 +4,7 @@ import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.control.SelectiveController;
 import org.selectiverenderer.control.budget.RenderingBudget;
+import org.selectiverenderer.schema.Quality;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
@@ -34,10 +35,14 @@ public final class BudgetOption {
           "--budget chooses the versions itself, --condition %s chooses others; leave one out"
               .formatted(settings.condition().spelling()));
     }
+    if (settings.qualities().containsKey(Quality.POLYGONS)) {
+      throw CommandException.usage(
+          "--budget chooses how many polygons objects have; leave polygons out of --quality");
+    }
     if (budget.unit() == RenderingBudget.Unit.MS && !measured) {
       throw CommandException.usage(
           "--budget %s needs frames that are drawn, and simulate draws none; give triangles:N, or "
-              .formatted(budget)
+                  .formatted(budget)
               + "use run");
     }
     return settings.within(budget);

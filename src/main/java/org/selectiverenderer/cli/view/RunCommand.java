@@ -29,8 +29,8 @@ import org.selectiverenderer.browser.viewer.CameraPath;
 import org.selectiverenderer.browser.viewer.CameraPathReader;
 import org.selectiverenderer.cli.option.BudgetOption;
 import org.selectiverenderer.cli.option.ConditionOptions;
-import org.selectiverenderer.cli.option.QualityOptions;
 import org.selectiverenderer.cli.option.LslOptions;
+import org.selectiverenderer.cli.option.QualityOptions;
 import org.selectiverenderer.cli.option.SwitchOption;
 import org.selectiverenderer.cli.option.TrackerFilterOptions;
 import org.selectiverenderer.command.CliCommand;
@@ -156,7 +156,7 @@ public final class RunCommand extends CliCommand {
     if (view.listed()) {
       return ViewOptions.list(scene.file(), console());
     }
-    budget.in(condition.settings(), true);
+    budget.in(qualities.with(condition.settings()), true);
     TrackerSpec tracker = head.tracker(display.worn());
     CommandFileCheck files = check(tracker);
     ProblemCollector pathProblems = new ProblemCollector(console()::problem);
@@ -179,8 +179,7 @@ public final class RunCommand extends CliCommand {
     RunSettings settings =
         new RunSettings(
                 scene.file(),
-                budget.in(
-                    qualities.with(condition.settings()).with(change.transition()), true))
+                budget.in(qualities.with(condition.settings()).with(change.transition()), true))
             .allowing(allowed)
             .muted(mute)
             .with(motion(walked, session))

@@ -20,9 +20,9 @@ import org.selectiverenderer.cli.batch.BatchOutputFormat;
 import org.selectiverenderer.cli.batch.BatchRunner;
 import org.selectiverenderer.cli.option.BudgetOption;
 import org.selectiverenderer.cli.option.ConditionOptions;
-import org.selectiverenderer.cli.option.QualityOptions;
 import org.selectiverenderer.cli.option.FileArguments;
 import org.selectiverenderer.cli.option.FormatOption;
+import org.selectiverenderer.cli.option.QualityOptions;
 import org.selectiverenderer.cli.option.ScenesArgument;
 import org.selectiverenderer.cli.option.SwitchOption;
 import org.selectiverenderer.command.CliCommand;
@@ -111,7 +111,7 @@ public final class SimulateCommand extends CliCommand {
     if (!(rate > 0) || Double.isInfinite(rate)) {
       throw CommandException.usage("--rate must be a number of frames per second above 0");
     }
-    budget.in(condition.settings(), false);
+    budget.in(qualities.with(condition.settings()), false);
     ProblemCollector pathProblems = new ProblemCollector(console()::problem);
     Optional<CameraPath> walked = CameraPathReader.read(path, pathProblems);
     if (walked.isEmpty()) {
@@ -171,11 +171,9 @@ public final class SimulateCommand extends CliCommand {
     RunSettings settings =
         new RunSettings(
                 scene,
-                budget.in(
-                    qualities.with(condition.settings()).with(change.transition()), false))
+                budget.in(qualities.with(condition.settings()).with(change.transition()), false))
             .allowing(allowed)
-            .with(
-                MotionSettings.following(PathPlaybackSettings.at(rate, walked)).from(viewpoint()))
+            .with(MotionSettings.following(PathPlaybackSettings.at(rate, walked)).from(viewpoint()))
             .with(display());
     RunResult result =
         SceneRunner.simulated(

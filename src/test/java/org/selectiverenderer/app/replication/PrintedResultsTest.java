@@ -44,9 +44,7 @@ class PrintedResultsTest {
   @Test
   void theCorrelationIsTheOneThatFImplies() {
     List<ThesisTables.ScoreRow> types =
-        List.of(
-            rows("consistent", 1, 1, 1).get(0),
-            rows("inconsistent", 2, 2, 2).get(0));
+        List.of(rows("consistent", 1, 1, 1).get(0), rows("inconsistent", 2, 2, 2).get(0));
 
     assertThat(PrintedTests.correlation(test("type", 54), types).orElseThrow())
         .isCloseTo(0.5, within(0.02));
@@ -75,8 +73,7 @@ class PrintedResultsTest {
         .mapToObj(
             mean -> {
               ScoreTarget all = new ScoreTarget(mean, 1, 0, 1);
-              return new ThesisTables.ScoreRow(
-                  "any", type, 12, "c" + mean, List.of(all, all, all));
+              return new ThesisTables.ScoreRow("any", type, 12, "c" + mean, List.of(all, all, all));
             })
         .toList();
   }

@@ -61,8 +61,7 @@ class ReplicationTest {
     made("again");
 
     for (String name : List.of("responses.csv", "index.html", "tables-6-11.csv", "effects.csv")) {
-      assertThat(folder.resolve("again").resolve(name))
-          .hasSameTextualContentAs(made.resolve(name));
+      assertThat(folder.resolve("again").resolve(name)).hasSameTextualContentAs(made.resolve(name));
     }
   }
 

@@ -84,7 +84,8 @@ class QualityLevelsTest {
     write(SOFA);
     byte[] before = Files.readAllBytes(scene);
     assertThat(
-            versions("--object", "Sofa", "--texture-percent", "50,10", "--schemas", "Hall,Yard,Room"))
+            versions(
+                "--object", "Sofa", "--texture-percent", "50,10", "--schemas", "Hall,Yard,Room"))
         .as(err)
         .isZero();
     assertThat(out)
@@ -169,8 +170,7 @@ class QualityLevelsTest {
     assertThat(versions("--object", "Sofa", "--texture-percent", "50")).as(err).isZero();
     Path walk = Files.writeString(folder.resolve("walk.csv"), "t,x,y,z\n0,0,0,0\n1,0,0,0\n");
     run("simulate", scene.toString(), "--path", walk.toString());
-    assertThat(out)
-        .contains("Switch_Sofa: choice 0 -> 1 (Room)", "level 0 -> 1 (Room)");
+    assertThat(out).contains("Switch_Sofa: choice 0 -> 1 (Room)", "level 0 -> 1 (Room)");
   }
 
   @Test

@@ -20,8 +20,8 @@ class StartLinkageTest {
 
   /**
    * The JVM makes what a record compares and hashes itself by when that is first called, in a dozen
-   * milliseconds for the first record and one or two for each further one, and no archive of classes
-   * holds it. So the records that a start needs have theirs written out.
+   * milliseconds for the first record and one or two for each further one, and no archive of
+   * classes holds it. So the records that a start needs have theirs written out.
    */
   @Test
   void noRecordIsLinkedBeforeTheFirstFrame() throws Exception {

@@ -65,7 +65,8 @@ class SwitchOptionTest extends CommandTestCase {
   private List<String> simulate(String how, String... options) {
     String[] all = new String[options.length + 6];
     System.arraycopy(options, 0, all, 6, options.length);
-    List<String> first = List.of("simulate", file("s.x3d"), "--path", file("p.csv"), "--switch", how);
+    List<String> first =
+        List.of("simulate", file("s.x3d"), "--path", file("p.csv"), "--switch", how);
     System.arraycopy(first.toArray(), 0, all, 0, 6);
     assertThat(execute(all)).as(messages()).isZero();
     return printed().lines().toList();
@@ -79,7 +80,8 @@ class SwitchOptionTest extends CommandTestCase {
             line -> assertThat(line).contains(" 3.", "Can: choice 1 -> 0 (near), not seen"));
     assertThat(simulate("fade:300").stream().filter(line -> line.contains("switch")))
         .satisfiesExactlyInAnyOrder(
-            line -> assertThat(line).containsPattern(" 1\\.0.*Can: .*, [0-9]{4,} pixels seen, 0 deg"),
+            line ->
+                assertThat(line).containsPattern(" 1\\.0.*Can: .*, [0-9]{4,} pixels seen, 0 deg"),
             line -> assertThat(line).contains(" 1.0", "Cup", ", not seen"));
     assertThat(simulate("at-once", "--format", "json", "--size", "512x384"))
         .anyMatch(line -> line.matches(".*\"Can\".*\"visible\":true,\"pixels\":[0-9]{4},.*"))
@@ -89,7 +91,10 @@ class SwitchOptionTest extends CommandTestCase {
   @Test
   void whatWaitsAtTheEndIsTold() throws IOException {
     Files.writeString(folder.resolve("p.csv"), PATH.replaceFirst("\n5,.*\n$", "\n"));
-    assertThat(simulate("unseen")).last().asString().contains("would have been seen: Can: choice 0");
+    assertThat(simulate("unseen"))
+        .last()
+        .asString()
+        .contains("would have been seen: Can: choice 0");
     assertThat(simulate("unseen", "--format", "json"))
         .last()
         .asString()

@@ -77,8 +77,7 @@ public class BudgetBenchmark {
 
   @Setup
   public void makeScene() throws IOException {
-    StringBuilder scene =
-        new StringBuilder("<X3D version='4.0' profile='Full'><Scene>");
+    StringBuilder scene = new StringBuilder("<X3D version='4.0' profile='Full'><Scene>");
     for (int i = 0; i < OBJECTS; i++) {
       x[i] = APART * (i % ROW - ROW / 2.0);
       z[i] = APART * (i / ROW - ROW / 2.0);

@@ -2,7 +2,7 @@ package org.selectiverenderer.bench;
 
 import java.util.Locale;
 
-/** The plots of docs/performance.md: what each shows, and how. */
+/** The plots of docs/performance.md and docs/budget.md: what each shows, and how. */
 enum PerformancePlot {
   FRAMES(
       Form.GROUPS,
@@ -37,6 +37,18 @@ enum PerformancePlot {
       "at most, while it is shown",
       "apartments",
       "megabytes"),
+  BUDGET_APARTMENT(
+      Form.CURVES,
+      "What pictures of the apartment lose",
+      "1 - SSIM to all objects high, mean of ten places of the tour; less is better",
+      "triangles",
+      "1 - SSIM"),
+  BUDGET_STREET(
+      Form.CURVES,
+      "What pictures of a street lose",
+      "1 - SSIM to all objects high, mean of ten places of the tour; less is better",
+      "triangles",
+      "1 - SSIM"),
   SELECTIVE(
       Form.PARTS,
       "What selective rendering saves",

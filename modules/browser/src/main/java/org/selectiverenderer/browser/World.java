@@ -7,7 +7,6 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
-import org.selectiverenderer.browser.camera.Camera;
 import org.selectiverenderer.browser.collision.MeshBvhCache;
 import org.selectiverenderer.browser.instance.AssetProvider;
 import org.selectiverenderer.browser.instance.Background;
@@ -20,6 +19,7 @@ import org.selectiverenderer.browser.scene.EventCascade;
 import org.selectiverenderer.browser.scene.Scene;
 import org.selectiverenderer.browser.script.ScriptTimeBudget;
 import org.selectiverenderer.browser.sound.Voice;
+import org.selectiverenderer.browser.viewer.EyeFrame;
 import org.selectiverenderer.browser.viewer.OrthographicExtent;
 import org.selectiverenderer.browser.viewer.Viewer;
 import org.selectiverenderer.browser.viewer.ViewerMotion;
@@ -59,7 +59,7 @@ public final class World {
   private double epoch = EPOCH;
   private volatile boolean running = true;
   private DisplayMetrics picture = DisplayMetrics.DEFAULT;
-  private final EyeCameras eyes = new EyeCameras();
+  private List<EyeFrame> eyes = List.of();
   private RunningScene shown;
 
   public World(LoadedScene loaded, ProblemCollector problems) {
@@ -174,28 +174,34 @@ public final class World {
    */
   public void seenIn(double width, double height, Optional<OrthographicExtent> frustum) {
     picture = new DisplayMetrics(width, height, frustum);
-    eyes.forget();
+    eyes = List.of();
     shown.layers.see(picture);
   }
 
   /**
    * Announces likewise that pictures of several eyes are about to be drawn.
    *
-   * @param cameras the cameras of the eyes, of which the first determines the layout
-   * @param scale pixels of these cameras per desktop pixel
+   * @param views the views of the eyes, of which the first one's size counts
+   * @param frustum the cross-section of the first one's frustum at distance 1, about its axis
    */
-  public void seenBy(List<Camera> cameras, double scale) {
-    Camera first = cameras.get(0);
-    seenIn(first.width() / scale, first.height() / scale, first.angle());
-    eyes.see(cameras, scale, viewer);
+  public void seenBy(List<EyeFrame> views, Optional<OrthographicExtent> frustum) {
+    seenIn(views.get(0).width(), views.get(0).height(), frustum);
+    eyes = List.copyOf(views);
   }
 
-  /**
-   * Returns the cameras of the viewer's eyes at its present pose, in desktop pixels: as {@link
-   * #seenBy} announced them last, or a single one. Their near and far planes have no meaning.
-   */
-  public List<Camera> eyes() {
-    return eyes.of(viewer, picture);
+  /** Returns the views of the eyes of a stereo display; empty if there is one eye, the viewer's. */
+  public List<EyeFrame> eyes() {
+    return eyes;
+  }
+
+  /** Returns the width of the picture, of one eye in stereo, in desktop pixels. */
+  public double pictureWidth() {
+    return picture.width();
+  }
+
+  /** Returns the height of the picture, of one eye in stereo, in desktop pixels. */
+  public double pictureHeight() {
+    return picture.height();
   }
 
   /** Returns the time that scripts may take, of this scene and of those that replace it. */

@@ -24,6 +24,8 @@
  *       stamp. The controller is such a listener: an area that is entered in a frame switches its
  *       objects in that frame.
  *   <li>The instance tree applies the changes: a Switch shows its other child.
+ *   <li>Decisions that need the frame's viewer and all its events are made, such as which versions
+ *       a budget affords, and applied in the same way.
  * </ol>
  *
  * <p>A scene with a LayerSet is several layers, each with instances, bound nodes, sensors and a

@@ -105,11 +105,7 @@ final class StepChartRenderer {
       if (!first) {
         canvas.rectangle(x - LINE / 2, y - LINE / 2, toX - x + LINE, LINE, colour);
         canvas.rectangle(
-            toX - LINE / 2,
-            Math.min(y, toY) - LINE / 2,
-            LINE,
-            Math.abs(toY - y) + LINE,
-            colour);
+            toX - LINE / 2, Math.min(y, toY) - LINE / 2, LINE, Math.abs(toY - y) + LINE, colour);
       }
       x = toX;
       y = toY;

@@ -1,7 +1,7 @@
 /**
- * Charts: a canvas that draws SVG or pixels, colours, measured text, bar and step charts as SVG and PNG
- * files. The packages that have the data decide which charts to draw: {@code polygon} and {@code
- * statistics.report}.
+ * Charts: a canvas that draws SVG or pixels, colours, measured text, bar and step charts as SVG and
+ * PNG files. The packages that have the data decide which charts to draw: {@code polygon} and
+ * {@code statistics.report}.
  *
  * <p>In: numbers with their labels. Out: files and SVG; the same input gives the same bytes. Texts
  * are measured with the program's own fonts, so that charts come out the same on machines without

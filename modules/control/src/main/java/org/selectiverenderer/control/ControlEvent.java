@@ -21,8 +21,7 @@ public sealed interface ControlEvent {
    * @param fields the level of each field that is a quality, by the field's name, for each object
    *     that has such fields, by the name of its Switch; -1 where the value is of no level
    */
-  record Start(
-      double time, Map<String, Integer> switches, Map<String, Map<String, Integer>> fields)
+  record Start(double time, Map<String, Integer> switches, Map<String, Map<String, Integer>> fields)
       implements ControlEvent {
     /** Makes the start of a scene without field qualities. */
     public Start(double time, Map<String, Integer> switches) {

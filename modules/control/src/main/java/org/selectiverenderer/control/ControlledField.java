@@ -118,8 +118,7 @@ final class ControlledField implements ControlledChoice {
   private static @Nullable X3DField field(X3DNode node, String name) {
     try {
       X3DField field = node.getField(name);
-      return field != null
-              && field.getDefinition().getAccessType() == X3DFieldTypes.INPUT_OUTPUT
+      return field != null && field.getDefinition().getAccessType() == X3DFieldTypes.INPUT_OUTPUT
           ? field
           : null;
     } catch (X3DException e) {

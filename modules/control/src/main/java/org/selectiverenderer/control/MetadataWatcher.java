@@ -12,8 +12,9 @@ import org.web3d.x3d.sai.X3DNode;
 
 /**
  * Listens for changes of a node's metadata at every depth: another metadata node, other members of
- * a set, other names or values; and of the metadata of that metadata, where field qualities stand. Field objects are kept, because a browser may know a listener only
- * by the very field object that it was added to.
+ * a set, other names or values; and of the metadata of that metadata, where field qualities stand.
+ * Field objects are kept, because a browser may know a listener only by the very field object that
+ * it was added to.
  */
 final class MetadataWatcher {
   private final X3DNode owner;
@@ -53,8 +54,7 @@ final class MetadataWatcher {
     watched = List.of();
   }
 
-  private void watch(
-      SaiMetadata source, boolean inner, Set<X3DNode> seen, List<X3DField> fields) {
+  private void watch(SaiMetadata source, boolean inner, Set<X3DNode> seen, List<X3DField> fields) {
     if (seen.add(source.node())) {
       watch(source.node(), "value", fields);
       if (!source.isSet() || inner) { // the name of a set of choices has no meaning

@@ -17,8 +17,7 @@ import org.web3d.x3d.sai.X3DNode;
  *
  * <p>The SAI returns the node of a name, but not the name of a node. Therefore, unless the browser
  * tells names, all DEF names are looked up and their nodes compared, which is done only when a name
- * is asked for. A browser may
- * return the same object for a node each time, or an equal one.
+ * is asked for. A browser may return the same object for a node each time, or an equal one.
  */
 final class NodeNameRegistry {
   private record Unnamed(SceneScope scope, String madeUp) {}

@@ -62,9 +62,7 @@ abstract class SaiFieldValue {
           text.isEmpty()
               ? new double[0]
               : Arrays.stream(text.split("[\\s,]+")).mapToDouble(Double::parseDouble).toArray();
-      return target
-          .filter(known -> known.accepts(values))
-          .map(known -> new Numbers(known, values));
+      return target.filter(known -> known.accepts(values)).map(known -> new Numbers(known, values));
     } catch (NumberFormatException e) {
       return Optional.empty();
     }
@@ -178,10 +176,7 @@ abstract class SaiFieldValue {
    * @param whole whether they are integers
    */
   private record NumberField(
-      int count,
-      boolean whole,
-      Supplier<double[]> reader,
-      Consumer<double[]> writer) {
+      int count, boolean whole, Supplier<double[]> reader, Consumer<double[]> writer) {
     boolean accepts(double[] values) {
       return (count < 0 || values.length == count)
           && Arrays.stream(values).allMatch(Double::isFinite)

@@ -161,7 +161,7 @@ final class SceneController implements ControlledArea.Listener {
     if (known == null) {
       known = new ArrayList<>();
       for (VersionedObject object : objects.values()) {
-        if (object.schemas().isPresent() && !held.containsKey(object.name())) {
+        if (differsInPolygons(object) && !held.containsKey(object.name())) {
           known.add(object);
         }
       }
@@ -169,6 +169,12 @@ final class SceneController implements ControlledArea.Listener {
       choosable = known;
     }
     return known;
+  }
+
+  /** Returns whether the versions differ in their polygons, so that a budget can choose. */
+  private static boolean differsInPolygons(VersionedObject object) {
+    return object.versions() > 0
+        && object.schemas().map(SwitchSchemas::quality).filter(Quality.POLYGONS::equals).isPresent();
   }
 
   private void callFor(VersionedObject object, int version) {
@@ -318,8 +324,7 @@ final class SceneController implements ControlledArea.Listener {
   private void levelChanged(ControlledField field, int from, double time) {
     if (!settings.controls()) {
       now = time;
-      events.accept(
-          field.change(time, from, field.shown(), ChoiceCause.SCENE, Optional.empty()));
+      events.accept(field.change(time, from, field.shown(), ChoiceCause.SCENE, Optional.empty()));
     }
     queue.forget(field);
     activation.noteShown(field, field.shown());
@@ -406,8 +411,7 @@ final class SceneController implements ControlledArea.Listener {
    *
    * @param fresh whether the viewer has not seen them yet, so that no choice has to wait
    */
-  private void setOut(
-      Collection<? extends ControlledChoice> candidates, long seed, boolean fresh) {
+  private void setOut(Collection<? extends ControlledChoice> candidates, long seed, boolean fresh) {
     if (!settings.controls()) {
       return;
     }
@@ -437,9 +441,7 @@ final class SceneController implements ControlledArea.Listener {
     } else if (settings.rule(quality).isPresent()) {
       show(choice, settings.rule(quality).get().choice(schemas));
     } else {
-      conditional
-          .computeIfAbsent(quality, key -> new LinkedHashMap<>())
-          .put(choice, schemas);
+      conditional.computeIfAbsent(quality, key -> new LinkedHashMap<>()).put(choice, schemas);
     }
   }
 
@@ -477,7 +479,8 @@ final class SceneController implements ControlledArea.Listener {
       ControlledChoice choice = change.switchKey();
       if (choice instanceof VersionedObject object) {
         callFor(object, change.to());
-        if (settings.budget().isPresent() || held.containsKey(object.name())) {
+        boolean budgeted = settings.budget().isPresent() && differsInPolygons(object);
+        if (budgeted || held.containsKey(object.name())) {
           continue; // With a budget areas only tell what is consistent, and the budget chooses.
         }
       }

@@ -268,8 +268,7 @@ final class SceneGraphWatcher {
   }
 
   /** The child nodes in an SFNode or MFNode field. */
-  private static final class FieldChildSource extends ChildSource
-      implements X3DFieldEventListener {
+  private static final class FieldChildSource extends ChildSource implements X3DFieldEventListener {
     private final SceneScope scope;
     private final X3DField field;
     private final ListenerLock turn;

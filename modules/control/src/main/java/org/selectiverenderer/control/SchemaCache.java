@@ -42,8 +42,7 @@ final class SchemaCache {
       SaiMetadata metadata, int children, Consumer<SchemaProblem> problems) {
     List<Object> key = new ArrayList<>();
     key.add(children);
-    return read(
-        metadata, key, objects, problems, reader -> reader.switchNode(metadata, children));
+    return read(metadata, key, objects, problems, reader -> reader.switchNode(metadata, children));
   }
 
   /** Reads the schemas of an area. */

@@ -100,9 +100,7 @@ public final class SelectiveController implements AutoCloseable {
 
     /** Returns whether areas change a quality as the viewer walks. */
     boolean follows(Quality quality) {
-      return rule(quality)
-          .map(QualityRule.SELECTIVE::equals)
-          .orElse(condition.switches());
+      return rule(quality).map(QualityRule.SELECTIVE::equals).orElse(condition.switches());
     }
 
     /** Creates settings in which versions change at once. */
@@ -205,8 +203,8 @@ public final class SelectiveController implements AutoCloseable {
   }
 
   /**
-   * Returns the enriched objects that are not held, in the order of the scene: those whose versions
-   * a budget chooses. It is the same list until it has other objects or their metadata change.
+   * Returns the enriched objects whose versions differ in their polygons and are not held, in the
+   * order of the scene: those of which a budget chooses versions. It is the same list until it has other objects or their metadata change.
    */
   public synchronized List<ChoosableObject> choosable() {
     return scene == null ? List.of() : scene.choosable();

@@ -27,8 +27,7 @@ final class UnmatchedSchemaCheck {
     }
     for (VersionedObject object : objects) {
       Namer namer = new Namer(object.name(), object.node());
-      List<List<String>> schemas =
-          object.schemas().map(SwitchSchemas::byChoice).orElse(List.of());
+      List<List<String>> schemas = object.schemas().map(SwitchSchemas::byChoice).orElse(List.of());
       use.object(namer, schemas, object.atStart());
       for (ControlledField field : object.fields()) {
         use.object(namer, field.schemas().orElseThrow().byChoice(), field.shown());

@@ -7,10 +7,12 @@
  * is the default. The build puts the SAI's interfaces into a jar of their own, so that another
  * browser's copy can replace them on the class path.
  *
- * <p>In: a browser. Out: {@code whichChoice} of Switch nodes, and {@link
- * org.selectiverenderer.control.ControlEvent}s. Of {@code schema} it uses the vocabulary of the
- * metadata and {@link org.selectiverenderer.schema.SchemaActivation}, the algorithm without a
- * browser: an index from schemas to Switches, so that activation costs what it changes. Uses {@code
+ * <p>In: a browser. Out: {@code whichChoice} of Switch nodes, fields that are qualities of objects,
+ * and {@link org.selectiverenderer.control.ControlEvent}s. Of {@code schema} it uses the vocabulary
+ * of the metadata and {@link org.selectiverenderer.schema.SchemaActivation}, the algorithm without
+ * a browser: an index from schemas to Switches, so that activation costs what it changes. Under a
+ * budget ({@code control.budget}) areas tell only how consistent objects are, and whoever keeps the
+ * budget chooses by {@link org.selectiverenderer.control.SelectiveController#choose}. Uses {@code
  * schema}, {@code org.web3d.x3d.sai}, and {@code sai} for what a browser may offer beyond it; loads
  * no AWT and no GL.
  *

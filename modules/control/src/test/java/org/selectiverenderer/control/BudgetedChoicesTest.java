@@ -54,8 +54,9 @@ class BudgetedChoicesTest implements SwitchTiming {
   @Test
   void areasChangeNothingButTheConsistencyOfTheObjects() {
     List<ChoosableObject> objects = scene.controller.choosable();
-    assertThat(objects).extracting(object -> object.node()).containsExactly(
-        scene.node("Vase"), scene.node("Lamp"));
+    assertThat(objects)
+        .extracting(object -> object.node())
+        .containsExactly(scene.node("Vase"), scene.node("Lamp"));
     assertThat(objects).allMatch(object -> object.versions() == 2 && object.shown() == 1);
     assertThat(objects).extracting(ChoosableObject::consistency).containsExactly(1.0, 1.0);
 
@@ -80,8 +81,7 @@ class BudgetedChoicesTest implements SwitchTiming {
     assertThat(scene.choice("Vase")).isZero();
     assertThat(vase.shown()).isZero();
     assertThat(scene.news())
-        .containsExactly(
-            new SwitchChange(3, "Vase", 1, 0, ChoiceCause.BUDGET, Optional.empty()));
+        .containsExactly(new SwitchChange(3, "Vase", 1, 0, ChoiceCause.BUDGET, Optional.empty()));
   }
 
   @Test
@@ -111,6 +111,25 @@ class BudgetedChoicesTest implements SwitchTiming {
     assertThat(scene.controller.choosable()).isEmpty();
     scene.controller.choose(objects.get(1), 0, 5);
     assertThat(lamp.getWhichChoice()).isEqualTo(1);
+  }
+
+  @Test
+  void versionsThatDifferInAnotherQualityFollowTheAreas() {
+    scene.close();
+    String lit =
+        ControlledSceneFixture.object("DEF='Lit'", "kitchen", "hall")
+            .replace(
+                "<MetadataString name='consistencyType'",
+                "<MetadataString name='quality' value='\"light\"'/>"
+                    + "<MetadataString name='consistencyType'");
+    scene =
+        new ControlledSceneFixture(
+            ControlledSceneFixture.area("Kitchen", 0, "kitchen", "hall") + lit);
+    scene.control(BUDGET, this);
+
+    assertThat(scene.controller.choosable()).isEmpty();
+    scene.walkTo(0);
+    assertThat(scene.choice("Lit")).isZero();
   }
 
   @Test

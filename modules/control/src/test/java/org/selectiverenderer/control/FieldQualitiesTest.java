@@ -20,8 +20,7 @@ import org.web3d.x3d.sai.SFBool;
 import org.web3d.x3d.sai.SFFloat;
 
 class FieldQualitiesTest {
-  private static final String AREAS =
-      ControlledSceneFixture.area("Room", 0, "kitchen", "hall");
+  private static final String AREAS = ControlledSceneFixture.area("Room", 0, "kitchen", "hall");
 
   private static String level(String degree, String schema, String value) {
     return "<MetadataSet><MetadataString name='degreeOfConsistency' value='\"%s\"'/>"
@@ -68,8 +67,7 @@ class FieldQualitiesTest {
         ControlledSceneFixture.under(Condition.SELECTIVE, AREAS + object("Sofa", SOFA, TEXTURES))) {
       assertThat(scene.problems).isEmpty();
       assertThat(scene.news())
-          .containsExactly(
-              new ControlEvent.Start(0, Map.of(), Map.of("Sofa", Map.of("T.url", 0))));
+          .containsExactly(new ControlEvent.Start(0, Map.of(), Map.of("Sofa", Map.of("T.url", 0))));
       scene.walkTo(0);
       assertThat(url(scene)).containsExactly("s_25.png", "http://a.b/s_25.png");
       assertThat(scene.news())
@@ -130,11 +128,7 @@ class FieldQualitiesTest {
   @Test
   void conditionsSetEachFieldToTheLevelOfTheirConsistency() {
     String sofa =
-        object(
-            "Sofa",
-            SOFA,
-            quality("shading", "M.shininess", "\"0.5\"", "\"0.25\""),
-            TEXTURES);
+        object("Sofa", SOFA, quality("shading", "M.shininess", "\"0.5\"", "\"0.25\""), TEXTURES);
     try (ControlledSceneFixture scene =
         ControlledSceneFixture.under(
             Condition.HIGH_LOW, ControlledSceneFixture.area("Room", 0, "kitchen", "") + sofa)) {
@@ -146,8 +140,7 @@ class FieldQualitiesTest {
   @Test
   void eachFileThatIsInlinedSetsItsOwnField(@TempDir Path folder) throws IOException {
     Files.writeString(
-        folder.resolve("sofa.x3d"),
-        ControlledSceneFixture.file(object("Sofa", SOFA, TEXTURES)));
+        folder.resolve("sofa.x3d"), ControlledSceneFixture.file(object("Sofa", SOFA, TEXTURES)));
     String inlines =
         "<Inline DEF='A' url='\"sofa.x3d\"'/><Transform><Inline DEF='B' url='\"sofa.x3d\"'/>"
             + "</Transform>";
@@ -225,7 +218,8 @@ class FieldQualitiesTest {
 
   @Test
   void aSceneThatSetsItselfIsObserved() {
-    try (ControlledSceneFixture scene = new ControlledSceneFixture(object("Sofa", SOFA, TEXTURES))) {
+    try (ControlledSceneFixture scene =
+        new ControlledSceneFixture(object("Sofa", SOFA, TEXTURES))) {
       scene.control(Settings.OBSERVING);
       scene.news();
       ((MFString) scene.node("T").getField("url"))

@@ -18,8 +18,7 @@ class SchemaCacheTest {
   private final List<SchemaProblem> problems = new ArrayList<>();
 
   private static String lamp(String name, String field, String schema) {
-    return "<Switch DEF='%s'><Group/><MetadataSet containerField='metadata'>"
-            .formatted(name)
+    return "<Switch DEF='%s'><Group/><MetadataSet containerField='metadata'>".formatted(name)
         + "<MetadataSet containerField='value'>"
         + "<MetadataString DEF='%s-schema' containerField='value' name='%s' value='\"%s\"'/>"
             .formatted(name, field, schema)
@@ -28,8 +27,7 @@ class SchemaCacheTest {
 
   private Optional<SwitchSchemas> read(ControlledSceneFixture scene, String name) {
     Switch node = (Switch) scene.node(name);
-    return cache.object(
-        SaiMetadata.of(node).orElseThrow(), node.getNumChildren(), problems::add);
+    return cache.object(SaiMetadata.of(node).orElseThrow(), node.getNumChildren(), problems::add);
   }
 
   @Test
@@ -48,8 +46,7 @@ class SchemaCacheTest {
 
   @Test
   void changedMetadataAreReadAnew() {
-    try (var scene =
-        new ControlledSceneFixture(lamp("Lamp", "schemaBelonginess", "desk"))) {
+    try (var scene = new ControlledSceneFixture(lamp("Lamp", "schemaBelonginess", "desk"))) {
       read(scene, "Lamp");
       ((MetadataString) scene.node("Lamp-schema")).setValue(new String[] {"sofa"});
       assertThat(read(scene, "Lamp").orElseThrow().choiceBySchema()).containsOnlyKeys("sofa");
@@ -58,8 +55,7 @@ class SchemaCacheTest {
 
   @Test
   void theNumberOfVersionsCounts() {
-    try (var scene =
-        new ControlledSceneFixture(lamp("Lamp", "schemaBelonginess", "desk"))) {
+    try (var scene = new ControlledSceneFixture(lamp("Lamp", "schemaBelonginess", "desk"))) {
       SaiMetadata metadata = SaiMetadata.of(scene.node("Lamp")).orElseThrow();
       assertThat(cache.object(metadata, 1, problems::add)).isPresent();
       assertThat(problems).isEmpty();
@@ -82,8 +78,7 @@ class SchemaCacheTest {
 
   @Test
   void aSetThatContainsItselfIsReadWithoutEnd() {
-    try (var scene =
-        new ControlledSceneFixture(lamp("Lamp", "schemaBelonginess", "desk"))) {
+    try (var scene = new ControlledSceneFixture(lamp("Lamp", "schemaBelonginess", "desk"))) {
       MetadataSet set = (MetadataSet) scene.node("Lamp").getMetadata();
       set.setValue(new X3DNode[] {(X3DNode) set, scene.node("Lamp-schema")});
       assertThat(read(scene, "Lamp")).isPresent();

@@ -97,8 +97,7 @@ class WaitingChoicesTest implements SwitchTiming {
     watched.clear();
     scene.controller.showDue(2);
     assertThat(changes())
-        .containsExactly(
-            change(2, "Vase", 1, 0, "kitchen"), change(2, "Lamp", 1, 0, "kitchen"));
+        .containsExactly(change(2, "Vase", 1, 0, "kitchen"), change(2, "Lamp", 1, 0, "kitchen"));
   }
 
   @Test

@@ -16,6 +16,7 @@ import org.selectiverenderer.authoring.area.AreaLocator;
 import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
 import org.selectiverenderer.authoring.enrichment.EnrichedSensor;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
+import org.selectiverenderer.authoring.enrichment.FieldQualityEdits;
 import org.selectiverenderer.authoring.packaging.PackageLayout;
 import org.selectiverenderer.authoring.packaging.PackagedFile;
 import org.selectiverenderer.authoring.packaging.ScenePackage;
@@ -95,6 +96,7 @@ public final class SceneExporter {
       return Optional.empty();
     }
     DocumentEnrichment enrichment = new DocumentEnrichment(document, catalogue);
+    warnOfFieldQualities(document, enrichment);
     Optional<String> script = Optional.empty();
     if (!any || enrichment.switches().stream().anyMatch(EnrichedSwitch::enriched)) {
       if (!exportable(document, enrichment, scene)) {
@@ -116,6 +118,25 @@ public final class SceneExporter {
             settings.format() == SceneFormat.XML ? files : encoded(files, settings.format()),
             script,
             title(document).orElse(stem(scene))));
+  }
+
+  /** Tells that the Script shows versions only: fields stay as the file has them. */
+  private void warnOfFieldQualities(SceneDocument document, DocumentEnrichment enrichment) {
+    FieldQualityEdits qualities = new FieldQualityEdits(document);
+    List<EnrichedSwitch> objects =
+        enrichment.switches().stream()
+            .filter(node -> !qualities.of(node.element()).isEmpty())
+            .toList();
+    if (!objects.isEmpty()) {
+      problems.warning(
+          objects.get(0).element().location(),
+          ("an export carries versions of objects only: the qualities in fields of %s stay as they"
+                  + " are in the scene")
+              .formatted(
+                  objects.size() == 1
+                      ? objects.get(0).name()
+                      : objects.get(0).name() + " and others"));
+    }
   }
 
   /** Returns the title that the first WorldInfo with one tells (X3D 4.0, 10.4.5). */

@@ -33,8 +33,8 @@ import org.selectiverenderer.x3d.url.UrlContent;
 import org.selectiverenderer.x3d.url.UrlResolver;
 
 /**
- * Reads a scene and all files that it inlines and measures their geometry, on all processors.
- * Of textures only the sizes are read, and when they are asked for. Each instance reads one scene.
+ * Reads a scene and all files that it inlines and measures their geometry, on all processors. Of
+ * textures only the sizes are read, and when they are asked for. Each instance reads one scene.
  */
 final class SceneFileLoader {
   private final X3dReader reader = new X3dReader(NodeCatalogue.load());
@@ -78,7 +78,8 @@ final class SceneFileLoader {
           ProblemCollector problems = new ProblemCollector();
           X3dReader reader = files.reader.with(files.libraries, files.base);
           return files.load(
-              scene, new SceneFile(reader.read(scene, problems), problems, files.pictures(files.base)));
+              scene,
+              new SceneFile(reader.read(scene, problems), problems, files.pictures(files.base)));
         });
   }
 
@@ -111,7 +112,8 @@ final class SceneFileLoader {
           ProblemCollector problems = new ProblemCollector();
           X3dReader reader = files.reader.with(files.libraries, files.base);
           ByteArrayInputStream in = new ByteArrayInputStream(text);
-          SceneFile first = new SceneFile(
+          SceneFile first =
+              new SceneFile(
                   reader.read(name, in, text.length, problems),
                   problems,
                   files.pictures(files.base));
@@ -232,7 +234,8 @@ final class SceneFileLoader {
 
   private Optional<SceneFile> inlined(
       UrlContent content, SourceLocation requestedBy, ProblemCollector requester) {
-    Optional<SceneFile> known = kept.find(content).map(file -> file.again(pictures(content.base())));
+    Optional<SceneFile> known =
+        kept.find(content).map(file -> file.again(pictures(content.base())));
     known.ifPresent(file -> follow(file, content.base()));
     return known.or(() -> fresh(content, requestedBy, requester));
   }

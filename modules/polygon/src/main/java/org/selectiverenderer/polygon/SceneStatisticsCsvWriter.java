@@ -10,8 +10,7 @@ import org.selectiverenderer.polygon.SceneStatistics.StateCount;
 
 /**
  * Writes polygon counts as CSV with the header {@code
- * kind,scope,name,version,polygons,percent,draw_calls,texture_bytes},
- * one row for each
+ * kind,scope,name,version,polygons,percent,draw_calls,texture_bytes}, one row for each
  *
  * <ul>
  *   <li>{@code total}: the scene, named by its file;

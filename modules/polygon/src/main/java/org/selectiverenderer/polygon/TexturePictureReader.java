@@ -35,8 +35,7 @@ public final class TexturePictureReader {
    * @param file the base of the file of the node
    * @return empty if no picture is there, or none of a known kind
    */
-  public Optional<TexturePicture> picture(
-      ParsedNode texture, List<String> wanted, BaseUrl file) {
+  public Optional<TexturePicture> picture(ParsedNode texture, List<String> wanted, BaseUrl file) {
     if (texture.type().name().equals("PixelTexture")) {
       return pixels(texture);
     }

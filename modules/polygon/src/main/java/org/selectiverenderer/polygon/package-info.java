@@ -12,8 +12,8 @@
  * edited: it caches the inlined files that it has measured, and returns the contribution of each
  * object to each state.
  *
- * <p>Beside polygons, {@link org.selectiverenderer.polygon.RenderingCost} has the draw calls and the
- * bytes of textures of a state; of pictures only the sizes are read.
+ * <p>Beside polygons, {@link org.selectiverenderer.polygon.RenderingCost} has the draw calls and
+ * the bytes of textures of a state; of pictures only the sizes are read.
  *
  * <p>In: a scene file. Out: {@link org.selectiverenderer.polygon.SceneStatistics}, as text, CSV,
  * JSON and bar charts, and problems. {@link org.selectiverenderer.polygon.EnrichmentPolygonModel}

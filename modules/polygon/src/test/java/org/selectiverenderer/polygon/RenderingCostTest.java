@@ -139,8 +139,7 @@ class RenderingCostTest {
     assertThat(all.states())
         .extracting(state -> String.join("+", state.schemas()), StateCount::cost)
         .containsExactly(
-            tuple("", new RenderingCost(1, SMALL)),
-            tuple("Desk", new RenderingCost(1, LARGE)));
+            tuple("", new RenderingCost(1, SMALL)), tuple("Desk", new RenderingCost(1, LARGE)));
     assertThat(problems.list())
         .filteredOn(problem -> problem.severity() != Problem.Severity.INFO)
         .isEmpty();

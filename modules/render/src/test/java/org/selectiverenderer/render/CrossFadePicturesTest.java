@@ -24,8 +24,7 @@ class CrossFadePicturesTest {
       "<Transform translation='0.3 0.2 0'><Shape><Appearance>%s</Appearance>"
           + "<Sphere radius='2.5'/></Shape></Transform>";
 
-  private static final String BOX =
-      "<Shape><Appearance>%s</Appearance><Box size='4 3 2'/></Shape>";
+  private static final String BOX = "<Shape><Appearance>%s</Appearance><Box size='4 3 2'/></Shape>";
 
   private static final String RED = "<Material diffuseColor='1 0 0'/>";
   private static final String BLUE = "<Material diffuseColor='0 0 1'/>";
@@ -37,8 +36,7 @@ class CrossFadePicturesTest {
           + "</Shape></Transform><DirectionalLight direction='-1 -1 -1'/>";
 
   private static TestScene scene(String first, String second) {
-    return TestScene.of(
-        "<Switch DEF='S' whichChoice='0'>" + first + second + "</Switch>" + POST);
+    return TestScene.of("<Switch DEF='S' whichChoice='0'>" + first + second + "</Switch>" + POST);
   }
 
   private static TestScene scene() {

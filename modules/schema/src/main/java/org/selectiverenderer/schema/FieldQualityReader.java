@@ -109,9 +109,7 @@ final class FieldQualityReader {
   private List<FieldLevel> levels(MetadataNode set, List<VersionMetadata> versions) {
     List<FieldLevel> levels = new ArrayList<>();
     List<SchemaProblem> silent = new ArrayList<>();
-    VersionMetadataReader reader =
-        new VersionMetadataReader(
-            problem -> hold(problem, silent));
+    VersionMetadataReader reader = new VersionMetadataReader(problem -> hold(problem, silent));
     for (MetadataNode level : set.children()) {
       if (level.isSet()) {
         string(level, VALUE)

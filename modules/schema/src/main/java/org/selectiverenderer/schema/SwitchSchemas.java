@@ -19,7 +19,6 @@ public record SwitchSchemas(List<VersionMetadata> choices, Quality quality) {
     this(choices, Quality.POLYGONS);
   }
 
-
   /** Checks that each choice is at the position of its index. */
   public SwitchSchemas {
     choices = List.copyOf(choices);

@@ -16,9 +16,9 @@
  * so that two qualities of two levels are four looks of an object without four versions.
  *
  * <p>In: metadata nodes as {@link org.selectiverenderer.schema.MetadataNode}s. Out: {@link
- * org.selectiverenderer.schema.SensorSchemas}, {@link org.selectiverenderer.schema.SwitchSchemas}, {@link
- * org.selectiverenderer.schema.FieldQuality}, changes of choices, and problems. Uses {@code base.problem} for similar names; independent of
- * files, running scenes, the SAI, AWT and GL.
+ * org.selectiverenderer.schema.SensorSchemas}, {@link org.selectiverenderer.schema.SwitchSchemas},
+ * {@link org.selectiverenderer.schema.FieldQuality}, changes of choices, and problems. Uses {@code
+ * base.problem} for similar names; independent of files, running scenes, the SAI, AWT and GL.
  */
 @NullMarked
 package org.selectiverenderer.schema;

@@ -50,7 +50,8 @@ class FieldQualitiesTest {
     FieldQuality only = qualities.get(0);
     assertThat(only.quality()).isEqualTo(Quality.TEXTURES);
     assertThat(only.target()).isEqualTo(new FieldReference("Sofa.Texture", "url"));
-    assertThat(only.levels()).extracting(FieldLevel::values)
+    assertThat(only.levels())
+        .extracting(FieldLevel::values)
         .containsExactly(List.of("sofa.jpg"), List.of("sofa_25.jpg"));
     assertThat(only.schemas().choiceBySchema()).isEqualTo(Map.of("hall", 0, "kitchen", 1));
   }
@@ -89,7 +90,8 @@ class FieldQualitiesTest {
                 string("quality", "light"),
                 string("field", "D.on"),
                 choice("consistent", "low", "a")));
-    assertThat(reader.fieldQualities(wrong)).extracting(q -> q.target().toString())
+    assertThat(reader.fieldQualities(wrong))
+        .extracting(q -> q.target().toString())
         .containsExactly("T.url");
     assertThat(kinds())
         .containsExactly(

@@ -52,7 +52,8 @@ public final class PictureReducer {
         return written(reduced(reader.read(0), percent), jpeg);
       } catch (RuntimeException | IIOException e) {
         // ImageIO's readers throw various runtime exceptions for damaged files.
-        throw new IOException(picture + " is a damaged picture, or one of a kind that is unknown", e);
+        throw new IOException(
+            picture + " is a damaged picture, or one of a kind that is unknown", e);
       } finally {
         reader.dispose();
       }

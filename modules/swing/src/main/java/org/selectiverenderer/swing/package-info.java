@@ -1,4 +1,7 @@
-/** What the Swing windows of the program share. It uses nothing of ours. */
+/**
+ * What the Swing windows of the program share, and what takes AWT's images. It uses nothing of
+ * ours.
+ */
 @NullMarked
 package org.selectiverenderer.swing;
 

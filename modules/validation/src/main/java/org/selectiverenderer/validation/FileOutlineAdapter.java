@@ -35,8 +35,7 @@ public final class FileOutlineAdapter implements FilePolygonMeasurement {
 
   /** Returns the enrichment of a scene with its polygon counts. */
   public static EnrichmentPolygonModel model(SceneContext scene) {
-    UrlResolver urls =
-        new UrlResolver(scene.main().file().folder(), scene.settings().access());
+    UrlResolver urls = new UrlResolver(scene.main().file().folder(), scene.settings().access());
     return EnrichmentPolygonModel.of(
         new FileOutlineAdapter(
             scene.main(), scene, new TexturePictureReader(urls), new IdentityHashMap<>()));

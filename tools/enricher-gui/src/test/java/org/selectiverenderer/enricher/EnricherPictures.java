@@ -266,7 +266,7 @@ class EnricherPictures {
 
   private void cost() throws IOException {
     limits = limits();
-    open("LIGHT", 1500, 1190, APARTMENT);
+    open("LIGHT", 1590, 1190, APARTMENT);
     tab(SCHEMAS);
     JTable states = part("Polygons by area and schemas", JTable.class);
     hands.await("the count", () -> states.getRowCount() > 0);

@@ -126,13 +126,11 @@ public final class DocumentEnrichment {
     return named;
   }
 
-  private void use(
-      SchemaUsage<DocumentElement> found, EnrichedSwitch node, EnrichedField field) {
+  private void use(SchemaUsage<DocumentElement> found, EnrichedSwitch node, EnrichedField field) {
     List<String> present =
         new QualityTargets(document, catalogue).present(node.element(), field.target());
     for (EnrichedField.Level level : field.levels()) {
-      found.choice(
-          node.element(), level.metadata().schemas(), level.values().equals(present));
+      found.choice(node.element(), level.metadata().schemas(), level.values().equals(present));
     }
   }
 

@@ -10,7 +10,7 @@ import org.selectiverenderer.x3d.source.DocumentElement;
  * differs from {@link org.selectiverenderer.schema.FieldQuality} in that levels without schemas
  * have none, although they follow the versions of the object.
  *
- * @param element the MetadataSet of the quality
+ * @param element the MetadataSet of the quality, or the USE of one
  * @param quality what the levels differ in
  * @param target the field that is set
  * @param levels the values, in the order of the text
@@ -25,7 +25,7 @@ public record EnrichedField(
   /**
    * A value that the field may have.
    *
-   * @param element the MetadataSet of the level
+   * @param element the MetadataSet of the level, or the USE of one
    * @param metadata consistency and schemas
    * @param values the strings of its MetadataString {@code value}
    */

@@ -35,7 +35,7 @@ final class EnrichedFieldReader {
               List<EnrichedField.Level> levels = levels(set);
               boolean free = target.isPresent() && taken.add(target.get());
               if (free && quality.isPresent() && !levels.isEmpty()) {
-                fields.add(new EnrichedField(set.meant(), quality.get(), target.get(), levels));
+                fields.add(new EnrichedField(set.written(), quality.get(), target.get(), levels));
               }
             });
     return fields;
@@ -57,7 +57,7 @@ final class EnrichedFieldReader {
       string(level, VALUE)
           .ifPresent(
               value ->
-                  levels.add(new EnrichedField.Level(level.meant(), metadata, value.values())));
+                  levels.add(new EnrichedField.Level(level.written(), metadata, value.values())));
     }
     return levels;
   }

@@ -57,8 +57,7 @@ public final class FieldQualityEdits {
     requireOwnSet(outer.get(), object);
     Optional<MetadataElement> inner = outer.get().metadata();
     if (inner.isEmpty()) {
-      return List.of(
-          layout.insertFirst(outer.get().meant(), xml.qualities("metadata", wanted)));
+      return List.of(layout.insertFirst(outer.get().meant(), xml.qualities("metadata", wanted)));
     }
     requireOwnSet(inner.get(), object);
     Optional<MetadataElement> known = qualities(inner.get());
@@ -148,8 +147,7 @@ public final class FieldQualityEdits {
           .type()
           .map(ConsistencyType::spelling)
           .ifPresent(
-              word ->
-                  content.add(string(SchemaField.CONSISTENCY_TYPE.spelling(), List.of(word))));
+              word -> content.add(string(SchemaField.CONSISTENCY_TYPE.spelling(), List.of(word))));
       level
           .metadata()
           .degree()

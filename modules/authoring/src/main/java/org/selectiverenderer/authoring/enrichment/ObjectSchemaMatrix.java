@@ -93,7 +93,11 @@ public final class ObjectSchemaMatrix {
         int count = quality.levels().size();
         levels.putIfAbsent(
             quality.quality(),
-            quality.levels().get(level).metadata().degree()
+            quality
+                .levels()
+                .get(level)
+                .metadata()
+                .degree()
                 .orElse(VersionDegreeMapping.degree(level, count)));
       }
     }

@@ -137,6 +137,7 @@ public final class QualityEdits {
 
   /** Sets the value of a level. */
   public Edit value(EnrichedField field, int level, List<String> wanted) {
+    own(field.element());
     return change(
         "Set level %d of %s".formatted(level, field.target()),
         field.levels().get(level).element(),
@@ -146,23 +147,28 @@ public final class QualityEdits {
 
   private Edit change(String name, DocumentElement set, String string, List<String> wanted) {
     MetadataElement found =
-        EnrichedFieldReader.string(MetadataElement.at(document, set), string).orElseThrow();
+        EnrichedFieldReader.string(MetadataElement.at(document, own(set)), string).orElseThrow();
     return new Edit(
         name, found.values().equals(wanted) ? List.of() : List.of(value(found, wanted)));
   }
 
   private TextEdit value(MetadataElement string, List<String> wanted) {
-    if (string.shared()) {
-      throw new EditRejectedException(
-          "%s: this belongs to another node (USE); give this node its own metadata in the source first"
-              .formatted(document.location(string.written().start())));
-    }
-    sharing.free(string.written());
+    sharing.free(own(string.written()));
     boolean strings = string.meant().name().equals("MetadataString");
     return layout.attribute(
         string.meant(),
         "value",
         strings ? FieldValueFormatter.strings(wanted) : String.join(" ", wanted));
+  }
+
+  /** Returns an element; rejects one that is a USE, as a change of the original changes others. */
+  private DocumentElement own(DocumentElement element) {
+    if (element.use().isPresent()) {
+      throw new EditRejectedException(
+          "%s: this belongs to another node (USE); give this node its own metadata in the source first"
+              .formatted(document.location(element.start())));
+    }
+    return element;
   }
 
   private TextEdit removed(DocumentElement element) {
@@ -182,6 +188,10 @@ public final class QualityEdits {
   List<TextEdit> described(
       EnrichedSwitch node, EnrichedField field, int level, ChoiceMetadata wanted) {
     EnrichedField.Level before = field.levels().get(level);
+    if (wanted.equals(before.metadata())) {
+      return List.of();
+    }
+    own(field.element());
     MetadataXmlWriter text =
         new MetadataXmlWriter(
             new UniqueNameGenerator(document.tree().orElseThrow()),
@@ -189,7 +199,7 @@ public final class QualityEdits {
             layout.step(field.element()));
     return new MetadataSetWriter(document, text)
         .changes(
-            MetadataElement.at(document, before.element()),
+            MetadataElement.at(document, own(before.element())),
             "%s_%s_%d".formatted(node.object(), field.quality().spelling(), level + 1),
             SchemaFieldFormatter.changed(
                 SchemaFieldFormatter.of(wanted), SchemaFieldFormatter.of(before.metadata())));
@@ -197,16 +207,17 @@ public final class QualityEdits {
 
   /** Adds a level with the value of the last one after it. */
   public Edit addLevel(EnrichedField field) {
+    own(field.element());
     EnrichedField.Level last = field.levels().get(field.levels().size() - 1);
     VersionMetadata undescribed =
-        new VersionMetadata(
-            field.levels().size(), Optional.empty(), Optional.empty(), List.of());
+        new VersionMetadata(field.levels().size(), Optional.empty(), Optional.empty(), List.of());
     return new Edit(
         "Add a level to " + field.target(),
         List.of(
             layout.insertAfter(
                 last.element(),
-                new FieldQualityEdits(document).level(field.element(), undescribed, last.values()))));
+                new FieldQualityEdits(document)
+                    .level(field.element(), undescribed, last.values()))));
   }
 
   /** Deletes a level; the last one goes with its quality only. */
@@ -215,6 +226,7 @@ public final class QualityEdits {
       throw new EditRejectedException(
           field.target() + " needs a level; remove the whole quality instead");
     }
+    own(field.element());
     return new Edit(
         "Delete level %d of %s".formatted(level, field.target()),
         List.of(removed(field.levels().get(level).element())));

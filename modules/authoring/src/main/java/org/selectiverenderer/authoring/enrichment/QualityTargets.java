@@ -173,9 +173,7 @@ public final class QualityTargets {
         node(object, target).flatMap(node -> document.attribute(node, target.field()));
     String text =
         written.orElse(definition(object, target).map(FieldDefinition::defaultText).orElse(""));
-    return strings(object, target)
-        ? MFStringParser.strings(text)
-        : List.of(text);
+    return strings(object, target) ? MFStringParser.strings(text) : List.of(text);
   }
 
   /** Returns what levels of a field most likely differ in. */
@@ -197,9 +195,7 @@ public final class QualityTargets {
 
   /** Returns values as an author edits them: those of an MFString in quotation marks. */
   public String shown(DocumentElement object, FieldReference target, List<String> values) {
-    return strings(object, target)
-        ? FieldValueFormatter.strings(values)
-        : String.join(" ", values);
+    return strings(object, target) ? FieldValueFormatter.strings(values) : String.join(" ", values);
   }
 
   /** Returns the values that an author wrote; a text without quotation marks is one string. */

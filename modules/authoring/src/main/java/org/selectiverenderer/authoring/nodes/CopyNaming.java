@@ -80,6 +80,7 @@ public final class CopyNaming {
                 changes.add(source.layout().attribute(element, "name", now));
               }
             });
+    QualityFieldNaming.change(source.layout(), element, now()).ifPresent(changes::add);
     for (SourceAttribute written : source.tag(element).attributes()) {
       boolean reference =
           NAMING.contains(written.name())

@@ -6,6 +6,7 @@ import java.util.function.UnaryOperator;
 import org.selectiverenderer.authoring.SourceFormatter;
 import org.selectiverenderer.authoring.UniqueNameGenerator;
 import org.selectiverenderer.x3d.source.DocumentElement;
+import org.selectiverenderer.x3d.source.ElementScope;
 import org.selectiverenderer.x3d.source.TextEdit;
 
 /**
@@ -35,6 +36,11 @@ final class NodeRenaming {
               names.unused(to); // no metadata may take it
               UnaryOperator<String> renamed = name -> name.equals(from) ? to : name;
               node.children().forEach(child -> renaming.metadata(child, names, renamed));
+              ElementScope.visit(
+                  node,
+                  each ->
+                      QualityFieldNaming.change(layout, each, renamed)
+                          .ifPresent(renaming.changes::add));
             });
     return renaming.changes;
   }

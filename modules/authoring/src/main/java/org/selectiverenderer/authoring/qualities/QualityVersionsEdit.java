@@ -5,9 +5,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
-import org.selectiverenderer.authoring.DocumentSnapshot;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
 import org.selectiverenderer.authoring.enrichment.FieldQualityEdits;
@@ -153,8 +153,7 @@ public final class QualityVersionsEdit {
     return request.shading().isEmpty()
         ? textures
         : textures.and(
-            new ShadingLevels(copy, names)
-                .of(element, request.shading(), request.schemas(), name));
+            new ShadingLevels(copy, names).of(element, request.shading(), request.schemas(), name));
   }
 
   private static String nothing(DocumentElement element, Request request) {
@@ -182,20 +181,21 @@ public final class QualityVersionsEdit {
   }
 
   private ElementTree tree() {
-    return copy
-        .tree()
-        .orElseThrow(
-            () -> new EditRejectedException(copy.name() + " is not well-formed XML"));
+    return copy.tree()
+        .orElseThrow(() -> new EditRejectedException(copy.name() + " is not well-formed XML"));
   }
 
   /** Finds the Switch of an object, else the node of its name. */
   private Optional<DocumentElement> find(String name) {
     Optional<DocumentElement> node = tree().named(name);
     return node.filter(QualityVersionsEdit::isSwitch)
-        .or(() -> tree().named(SWITCH + MetadataNames.object(name)).filter(QualityVersionsEdit::isSwitch))
+        .or(
+            () ->
+                tree()
+                    .named(SWITCH + MetadataNames.object(name))
+                    .filter(QualityVersionsEdit::isSwitch))
         .or(() -> node);
   }
-
 
   private static boolean isSwitch(DocumentElement element) {
     return element.name().equals("Switch");

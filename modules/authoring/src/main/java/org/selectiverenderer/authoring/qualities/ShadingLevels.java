@@ -30,8 +30,7 @@ final class ShadingLevels {
    * @param schemas one for {@code pixel} and each level, or none
    * @throws EditRejectedException if an Appearance has metadata that leave no room for it
    */
-  QualityLevels of(
-      DocumentElement object, List<String> levels, List<String> schemas, String name) {
+  QualityLevels of(DocumentElement object, List<String> levels, List<String> schemas, String name) {
     List<FieldQuality> qualities = new ArrayList<>();
     List<TextEdit> changes = new ArrayList<>();
     List<List<String>> values =
@@ -56,9 +55,7 @@ final class ShadingLevels {
     if (metadata.isEmpty()) {
       String name = names.unused(wanted);
       changes.add(
-          document
-              .layout()
-              .insertFirst(appearance, List.of(text(appearance, name, "metadata"))));
+          document.layout().insertFirst(appearance, List.of(text(appearance, name, "metadata"))));
       return name;
     }
     DocumentElement found = metadata.get();

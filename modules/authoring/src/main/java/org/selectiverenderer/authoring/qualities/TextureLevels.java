@@ -58,8 +58,7 @@ final class TextureLevels {
    * @throws IOException if a picture cannot be read or a file is in the way, with a one-line
    *     message that names it
    */
-  QualityLevels of(
-      DocumentElement object, List<Double> percents, List<String> schemas, String name)
+  QualityLevels of(DocumentElement object, List<Double> percents, List<String> schemas, String name)
       throws IOException {
     List<FieldQuality> qualities = new ArrayList<>();
     List<TextEdit> changes = new ArrayList<>();

@@ -5,8 +5,8 @@
  *
  * <p>In: a document, an object's DEF name, percents or levels of shading. Out: picture files and
  * changes of the document. Uses {@code authoring}, {@code authoring.enrichment}, {@code
- * authoring.switches}, {@code authoring.versions} for planned files, {@code schema} and {@code x3d}.
- * Pictures are scaled by whoever asks, since that takes AWT's images.
+ * authoring.switches}, {@code authoring.versions} for planned files, {@code schema} and {@code
+ * x3d}. Pictures are scaled by whoever asks, since that takes AWT's images.
  */
 @NullMarked
 package org.selectiverenderer.authoring.qualities;

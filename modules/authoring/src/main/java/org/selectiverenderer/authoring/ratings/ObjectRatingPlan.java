@@ -25,8 +25,7 @@ final class ObjectRatingPlan {
 
   Row row(String object, Map<String, Mean> means) {
     Map<String, Integer> shown = new LinkedHashMap<>();
-    means.forEach(
-        (schema, mean) -> shown.put(schema, scale.version(mean.value(), node.values())));
+    means.forEach((schema, mean) -> shown.put(schema, scale.version(mean.value(), node.values())));
     boolean steady = shown.values().stream().distinct().count() == 1;
     boolean ofRoom = means.keySet().stream().anyMatch(schema -> !places.isPart(schema));
     List<ImpliedSchema> implied = new ArrayList<>();

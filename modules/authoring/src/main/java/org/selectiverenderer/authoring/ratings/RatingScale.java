@@ -11,8 +11,8 @@ import org.selectiverenderer.schema.RatingBand;
 public enum RatingScale {
   /**
    * The bands of thesis 5.1: the first version for an unexpected object, the last for an expected
-   * one. A neutral object is shown like an expected one if there are two versions, else by a version
-   * between, a later one for a higher rating.
+   * one. A neutral object is shown like an expected one if there are two versions, else by a
+   * version between, a later one for a higher rating.
    */
   BANDS {
     @Override

@@ -37,8 +37,7 @@ public final class ViewedObjects {
    * @param ratings may be empty
    * @param matching of the objects of the ratings
    */
-  public ViewedObjects(
-      DocumentEnrichment enrichment, Ratings ratings, ObjectNameMatcher matching) {
+  public ViewedObjects(DocumentEnrichment enrichment, Ratings ratings, ObjectNameMatcher matching) {
     this.ratings = ratings;
     for (EnrichedSwitch node : enrichment.switches()) {
       versions.putIfAbsent(node.name(), node.choices().size());

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.ElementFinding;
+import org.selectiverenderer.authoring.nodes.NodeEdits;
 import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.schema.FieldLevel;
 import org.selectiverenderer.schema.FieldQuality;
@@ -58,8 +59,7 @@ class QualityEditsTest {
             </MetadataSet>
       """;
 
-  private static final String OUTER =
-      "    <MetadataSet containerField='metadata' name='Sofa'>\n";
+  private static final String OUTER = "    <MetadataSet containerField='metadata' name='Sofa'>\n";
 
   private static final String ENRICHED = VERSIONS.replace(OUTER, OUTER + QUALITIES);
 
@@ -208,5 +208,49 @@ class QualityEditsTest {
         .singleElement()
         .asString()
         .contains("DEF name, a dot and the name of a field");
+  }
+
+  @Test
+  void aRenamedOrCopiedNodeIsFollowed() {
+    EnrichmentScenes scene = EnrichmentScenes.with(ENRICHED);
+    NodeEdits nodes = new NodeEdits(scene.document);
+    scene.perform(
+        nodes.rename(
+            scene.document.tree().orElseThrow().named("SofaTexture").orElseThrow(), "Leather"));
+    assertThat(scene.nodes()).isEqualTo(ENRICHED.replace("SofaTexture", "Leather"));
+    scene.document.history().undo();
+    scene.perform(nodes.copy(sofa(scene).element(), "Switch_Chair"));
+    EnrichedSwitch copy = scene.switchNode("Switch_Chair");
+    String texture = copy.fields().get(0).target().node();
+    assertThat(texture).isNotEqualTo("SofaTexture");
+    assertThat(copy.element().contains(scene.document.tree().orElseThrow().named(texture).get()))
+        .isTrue();
+    assertThat(field(scene).target()).isEqualTo(URL);
+  }
+
+  @Test
+  void whatBelongsToAnotherNodeIsNotChangedThere() {
+    String set = "<MetadataSet containerField='value' name='textures'>";
+    String shared =
+        ENRICHED.replace(set, set.replace("<MetadataSet", "<MetadataSet DEF='Shared'"))
+            + """
+              <Switch DEF='Switch_Other' whichChoice='0'>
+                <MetadataSet containerField='metadata' name='Other'>
+                  <MetadataSet containerField='metadata' name='fieldQualities'>
+                    <MetadataSet containerField='value' USE='Shared'/>
+                  </MetadataSet>
+                </MetadataSet>
+                <Group/>
+              </Switch>
+            """;
+    EnrichmentScenes scene = EnrichmentScenes.with(shared);
+    EnrichedSwitch other = scene.switchNode("Switch_Other");
+    EnrichedField field = other.fields().get(0);
+    assertThatThrownBy(() -> edits(scene).value(field, 1, List.of("tiny.jpg")))
+        .isInstanceOf(EditRejectedException.class)
+        .hasMessageContaining("belongs to another node (USE)");
+    after(scene, edits(scene).remove(other, field));
+    assertThat(scene.switchNode("Switch_Other").fields()).isEmpty();
+    assertThat(field(scene).levels()).hasSize(2);
   }
 }

@@ -29,8 +29,7 @@ class QualityTargetsTest {
       """;
 
   private final EnrichmentScenes scene = EnrichmentScenes.with(NODES);
-  private final QualityTargets targets =
-      new QualityTargets(scene.document, NodeCatalogue.load());
+  private final QualityTargets targets = new QualityTargets(scene.document, NodeCatalogue.load());
   private final DocumentElement sofa = scene.switchNode("Switch_Sofa").element();
 
   private static FieldReference target(String text) {
@@ -38,9 +37,7 @@ class QualityTargetsTest {
   }
 
   private List<String> fields(String def) {
-    return targets
-        .fields(scene.document.tree().orElseThrow().named(def).orElseThrow())
-        .stream()
+    return targets.fields(scene.document.tree().orElseThrow().named(def).orElseThrow()).stream()
         .map(EventField::name)
         .toList();
   }

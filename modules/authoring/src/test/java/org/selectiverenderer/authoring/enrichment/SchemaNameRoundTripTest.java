@@ -86,7 +86,8 @@ class SchemaNameRoundTripTest {
                 scene.enrichment,
                 ratings,
                 new ObjectNameMatcher(ratings.means().keySet(), scene.enrichment.switches()),
-                true, RatingScale.BANDS)
+                true,
+                RatingScale.BANDS)
             .edit("ratings"));
     assertThat(again().switchNode("Switch_A").values().get(1).schemas()).containsExactly(name);
     assertThat(problems.list()).isEmpty();

@@ -132,7 +132,8 @@ class RatingPlanTest {
     assertThat(plan(scene, "mug,Desk,1\n").rows()).isEmpty();
     matching.choose("mug", "Switch_CoffeeMug");
     Ratings ratings = ratings("mug,Desk,1\n").orElseThrow();
-    assertThat(RatingPlan.of(scene.enrichment, ratings, matching, false, RatingScale.BANDS).rows()).hasSize(1);
+    assertThat(RatingPlan.of(scene.enrichment, ratings, matching, false, RatingScale.BANDS).rows())
+        .hasSize(1);
   }
 
   @ParameterizedTest

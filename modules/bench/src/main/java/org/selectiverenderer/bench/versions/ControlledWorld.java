@@ -29,7 +29,8 @@ final class ControlledWorld implements AutoCloseable {
   ControlledWorld(Path scene, CameraPath path, SelectiveController.Settings settings)
       throws IOException {
     ProblemCollector problems = new ProblemCollector();
-    loader = new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems);
+    loader =
+        new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems);
     world = new World(loader.load(scene), problems);
     browser = new EmbeddedBrowser(world, loader, line -> {}, Map.of());
     controller = new SelectiveController(browser, settings, event -> {}, problem -> {});

@@ -112,8 +112,7 @@ public final class VersionComparison {
             pictures.add(rule, places.get(rule), pictures.budget(SHARES[share]), sums, share);
           }
           long budget = frame.triangles() - pictures.fixed();
-          pictures.add(
-              rule.choose(places.get(rule), live.world.viewer(), budget), equal.get(rule));
+          pictures.add(rule.choose(places.get(rule), live.world.viewer(), budget), equal.get(rule));
         }
       }
     }

@@ -54,9 +54,9 @@ final class NodeTypeInfo {
   }
 
   /**
-   * Returns whether a proxy must name an interface: X3DNode, whose methods are known as its own, and
-   * those that no other one extends. The JVM makes the class of a proxy from the methods of all that
-   * are named, which a start waits for.
+   * Returns whether a proxy must name an interface: X3DNode, whose methods are known as its own,
+   * and those that no other one extends. The JVM makes the class of a proxy from the methods of all
+   * that are named, which a start waits for.
    */
   private static boolean needed(Class<?> one, List<Class<?>> all) {
     return one == X3DNode.class

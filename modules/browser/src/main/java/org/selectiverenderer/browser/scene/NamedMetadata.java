@@ -30,6 +30,8 @@ public final class NamedMetadata {
   }
 
   private static boolean named(@Nullable Node node, String type, String name) {
-    return node != null && node.type().name().equals(type) && node.string("name").strip().equals(name);
+    return node != null
+        && node.type().name().equals(type)
+        && node.string("name").strip().equals(name);
   }
 }

@@ -15,7 +15,8 @@ class NodeNamesTest {
     try (SaiFixture sai =
         SaiFixture.showing("<Group DEF='A'/><Group/><Transform><Switch DEF='B'/></Transform>")) {
       X3DNode[] roots = sai.scene().getRootNodes();
-      assertThat(sai.browser.namesOf(sai.scene(), Set.of(roots))).containsOnly(entry(roots[0], "A"));
+      assertThat(sai.browser.namesOf(sai.scene(), Set.of(roots)))
+          .containsOnly(entry(roots[0], "A"));
       assertThat(sai.world.scene().find("B").orElseThrow().companion()).isNull();
 
       X3DNode inner = sai.node("B");
@@ -41,8 +42,7 @@ class NodeNamesTest {
             "<ProtoDeclare name='Door'><ProtoBody><Group DEF='Inside'/></ProtoBody></ProtoDeclare>"
                 + "<ProtoInstance name='Door' DEF='Front'/>")) {
       X3DNode body = sai.browser.bodyOf(sai.node("Front"));
-      assertThat(sai.browser.namesOf(sai.scene(), Set.of(body)))
-          .containsOnly(entry(body, "Front"));
+      assertThat(sai.browser.namesOf(sai.scene(), Set.of(body))).containsOnly(entry(body, "Front"));
     }
   }
 

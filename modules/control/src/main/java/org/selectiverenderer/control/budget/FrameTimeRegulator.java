@@ -8,8 +8,8 @@ package org.selectiverenderer.control.budget;
  * and after each change it waits until the smoothed time is that of the new triangles. It changes
  * by the square root of the ratio of goal and time, which converges without swinging even where the
  * time grows with the square of the triangles, and by a tenth at most when it lets them grow. It
- * aims a twentieth below the goal, and leaves alone what is less than a tenth below. One frame that takes very long, as
- * when a file arrives, counts as four times the goal at most.
+ * aims a twentieth below the goal, and leaves alone what is less than a tenth below. One frame that
+ * takes very long, as when a file arrives, counts as four times the goal at most.
  *
  * <p>Not thread-safe.
  */

@@ -231,8 +231,7 @@ class MultipleChoiceKnapsackTest {
 
   private static VersionChoices choices(long[] costs, double... losses) {
     return new VersionChoices(
-        Arrays.stream(costs).boxed().toList(),
-        Arrays.stream(losses).boxed().toList());
+        Arrays.stream(costs).boxed().toList(), Arrays.stream(losses).boxed().toList());
   }
 
   private static MultipleChoiceKnapsack problem(VersionChoices... items) {

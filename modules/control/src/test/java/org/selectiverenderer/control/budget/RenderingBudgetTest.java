@@ -18,8 +18,19 @@ class RenderingBudgetTest {
   @ParameterizedTest
   @ValueSource(
       strings = {
-        "", "120000", "triangles:", "triangles:0", "triangles:-3", "triangles:1.5", "ms:0",
-        "ms:-1", "ms:1e3", "ms:NaN", "ms: 5", "Triangles:5", "triangles:9999999999999"
+        "",
+        "120000",
+        "triangles:",
+        "triangles:0",
+        "triangles:-3",
+        "triangles:1.5",
+        "ms:0",
+        "ms:-1",
+        "ms:1e3",
+        "ms:NaN",
+        "ms: 5",
+        "Triangles:5",
+        "triangles:9999999999999"
       })
   void anythingElseIsNone(String text) {
     assertThat(RenderingBudget.of(text)).isEmpty();

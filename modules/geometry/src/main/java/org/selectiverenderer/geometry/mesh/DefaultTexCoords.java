@@ -5,9 +5,8 @@ final class DefaultTexCoords {
   private DefaultTexCoords() {}
 
   /**
-   * Returns coordinates in which S runs from 0 to 1 along the longest side of the bounding box,
-   * and T along the second longest from 0 to the ratio of the two. Of equal sides X precedes Y
-   * and Z.
+   * Returns coordinates in which S runs from 0 to 1 along the longest side of the bounding box, and
+   * T along the second longest from 0 to the ratio of the two. Of equal sides X precedes Y and Z.
    *
    * @return s, t per vertex
    */

@@ -10,6 +10,7 @@ import java.util.function.Supplier;
 import org.selectiverenderer.browser.LayerView;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.browser.camera.EyeCameras;
 import org.selectiverenderer.browser.camera.HiddenAreaMesh;
 import org.selectiverenderer.browser.camera.LayerCameraFactory;
 import org.selectiverenderer.browser.instance.Background;
@@ -54,7 +55,7 @@ final class LayerRenderer {
     if (mono) {
       world.seenIn(eye.width() / scale, eye.height() / scale, Optional.empty());
     } else {
-      world.seenBy(whole, scale);
+      world.seenBy(EyeCameras.frames(whole, scale, world.viewer()), eye.angle());
     }
     List<LayerView> layers = world.layers();
     forget(gl, layers);

@@ -50,9 +50,7 @@ final class BatchPlanner {
     // Written out, as records link theirs when first called: the first frame would wait for it.
     @Override
     public boolean equals(@Nullable Object other) {
-      return other instanceof LitLook one
-          && look.equals(one.look)
-          && byVertex == one.byVertex;
+      return other instanceof LitLook one && look.equals(one.look) && byVertex == one.byVertex;
     }
 
     @Override

@@ -12,11 +12,11 @@ import org.selectiverenderer.render.gpu.ShaderProgram;
 
 /**
  * Draws versions of objects that are being cross-faded: the new one in a growing share of the
- * pixels, by an ordered pattern, the old one in the others ("screen-door transparency"). The pattern is
- * Bayer's index matrix (An optimum method for two-level rendition of continuous-tone pictures, ICC
- * 1973), written to the stencil buffer; so it works with every shader, also with authors' own, and
- * neither version has to be sorted. Both eyes have the same pattern. Where a framebuffer has no
- * stencil buffer, the new version is drawn alone.
+ * pixels, by an ordered pattern, the old one in the others ("screen-door transparency"). The
+ * pattern is Bayer's index matrix (An optimum method for two-level rendition of continuous-tone
+ * pictures, ICC 1973), written to the stencil buffer; so it works with every shader, also with
+ * authors' own, and neither version has to be sorted. Both eyes have the same pattern. Where a
+ * framebuffer has no stencil buffer, the new version is drawn alone.
  *
  * <p>Belongs to the thread that owns the context.
  */
@@ -90,7 +90,11 @@ final class CrossFadeRenderer {
     gl.glGetIntegerv(GL2ES3.GL_DRAW_FRAMEBUFFER_BINDING, answer, 0);
     int attachment = answer[0] == 0 ? GL3.GL_STENCIL : GL.GL_STENCIL_ATTACHMENT;
     gl.glGetFramebufferAttachmentParameteriv(
-        GL2ES3.GL_DRAW_FRAMEBUFFER, attachment, GL.GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, answer, 0);
+        GL2ES3.GL_DRAW_FRAMEBUFFER,
+        attachment,
+        GL.GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE,
+        answer,
+        0);
     if (answer[0] == GL.GL_NONE) {
       return false;
     }

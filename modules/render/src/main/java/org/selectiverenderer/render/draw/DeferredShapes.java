@@ -29,8 +29,8 @@ import org.selectiverenderer.render.lighting.LightingPlanner;
  * of neighbours of which a shape is seen gets the items of its shown shapes in that frame, those of
  * its hidden ones as if they were new.
  *
- * <p>New shapes may be spread over the following frames, as many in each as {@link
- * UploadBudget} allows. A deferred hidden shape that becomes shown comes in that very frame. If more shown shapes
+ * <p>New shapes may be spread over the following frames, as many in each as {@link UploadBudget}
+ * allows. A deferred hidden shape that becomes shown comes in that very frame. If more shown shapes
  * come into a running scene than one frame can upload, the rest appears in the next frames, as if
  * they had come in several files; shapes that were in the tree before are never late.
  *

@@ -58,8 +58,9 @@
  * <p>{@link org.selectiverenderer.render.draw.DrawItemCache} has the items that there are, {@link
  * org.selectiverenderer.render.draw.DeferredShapes} decides when the others come. A frame spends at
  * most a few milliseconds on what is made ready ahead, as measured in the frames before ({@link
- * org.selectiverenderer.render.draw.UploadBudget}). A mesh of more than 20,000 triangles that is not needed at once is packed on a
- * thread of its own ({@link org.selectiverenderer.render.draw.BackgroundPacker}).
+ * org.selectiverenderer.render.draw.UploadBudget}). A mesh of more than 20,000 triangles that is
+ * not needed at once is packed on a thread of its own ({@link
+ * org.selectiverenderer.render.draw.BackgroundPacker}).
  *
  * <p>Uses {@code render.gpu}, {@code render.glsl}, {@code render.lighting}, {@code render.mesh},
  * {@code render.occlusion}, {@code render.context}, {@code browser.instance}, {@code

@@ -111,8 +111,8 @@ public record ShaderVariant(
   /** Returns the same variant for batches with a diffuse colour per vertex. */
   ShaderVariant tints() {
     return new ShaderVariant(
-        lit, specular, byVertex, flat, colors, texture, tint, glow, alphaTest, twoSided, points, blended,
-        true, detail);
+        lit, specular, byVertex, flat, colors, texture, tint, glow, alphaTest, twoSided, points,
+        blended, true, detail);
   }
 
   private static void add(List<String> defines, boolean wanted, String name) {
@@ -134,18 +134,7 @@ public record ShaderVariant(
 
   private List<@Nullable Object> parts() {
     return Arrays.asList(
-        lit,
-        specular,
-        byVertex,
-        colors,
-        texture,
-        tint,
-        glow,
-        alphaTest,
-        twoSided,
-        points,
-        blended,
-        tinted,
-        detail);
+        lit, specular, byVertex, colors, texture, tint, glow, alphaTest, twoSided, points, blended,
+        tinted, detail);
   }
 }

@@ -12,9 +12,9 @@ import org.selectiverenderer.render.mesh.RefinedMesh;
 
 /**
  * Decides for each shape between per-vertex and per-pixel lighting, and refines meshes where
- * needed; a shape whose author has decided is drawn so, on its own mesh. Refinement for a mesh's curvature and highlights is done once for all shapes that use it;
- * refinement for a near point or spot light is done for the one shape in its place. Stateless; safe
- * for use by several threads.
+ * needed; a shape whose author has decided is drawn so, on its own mesh. Refinement for a mesh's
+ * curvature and highlights is done once for all shapes that use it; refinement for a near point or
+ * spot light is done for the one shape in its place. Stateless; safe for use by several threads.
  */
 public final class LightingPlanner {
   /**

@@ -59,9 +59,7 @@ final class OccluderOutline {
     // Written out, as records link theirs when first called: the first frame would wait for it.
     @Override
     public boolean equals(@Nullable Object other) {
-      return other instanceof Edge one
-          && low == one.low
-          && high == one.high;
+      return other instanceof Edge one && low == one.low && high == one.high;
     }
 
     @Override

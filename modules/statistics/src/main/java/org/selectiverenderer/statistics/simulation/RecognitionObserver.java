@@ -16,10 +16,7 @@ import org.apache.commons.math3.distribution.NormalDistribution;
  * @param criterionSpread standard deviation of c between participants, alike at all levels
  */
 public record RecognitionObserver(
-    List<Double> hits,
-    List<Double> falseAlarms,
-    double sensitivitySpread,
-    double criterionSpread) {
+    List<Double> hits, List<Double> falseAlarms, double sensitivitySpread, double criterionSpread) {
   /** The number of levels of confidence. */
   static final int LEVELS = 3;
 

@@ -62,11 +62,9 @@ public final class ScoreCalibration {
     for (int round = 0; round < ROUNDS; round++) {
       double c = criterion;
       sensitivity =
-          spread(
-              all.dPrimeSd(), s -> moments(rates(all, marginal(s, c)), s, c).sensitivitySd());
+          spread(all.dPrimeSd(), s -> moments(rates(all, marginal(s, c)), s, c).sensitivitySd());
       double s = sensitivity;
-      criterion =
-          spread(all.logBetaSd(), x -> moments(rates(all, marginal(s, x)), s, x).biasSd());
+      criterion = spread(all.logBetaSd(), x -> moments(rates(all, marginal(s, x)), s, x).biasSd());
     }
     List<Double> hits = new ArrayList<>();
     List<Double> falseAlarms = new ArrayList<>();
@@ -149,8 +147,7 @@ public final class ScoreCalibration {
     double[] hits = averaged(d / 2 - c, spread);
     double[] falseAlarms = averaged(-d / 2 - c, spread);
     return new double[] {
-      hits[0] - falseAlarms[0] - wanted.dPrime(),
-      (falseAlarms[1] - hits[1]) / 2 - wanted.logBeta()
+      hits[0] - falseAlarms[0] - wanted.dPrime(), (falseAlarms[1] - hits[1]) / 2 - wanted.logBeta()
     };
   }
 
@@ -203,7 +200,6 @@ public final class ScoreCalibration {
         b2 += weight * (f[2] + h[2] - 2 * h[1] * f[1]) / 4;
       }
     }
-    return new Moments(
-        Math.sqrt(Math.max(0, d2 - d * d)), Math.sqrt(Math.max(0, b2 - b * b)));
+    return new Moments(Math.sqrt(Math.max(0, d2 - d * d)), Math.sqrt(Math.max(0, b2 - b * b)));
   }
 }

@@ -19,7 +19,9 @@ import org.selectiverenderer.statistics.detection.ExtremeRateCorrection;
 import org.selectiverenderer.statistics.detection.LowConfidencePolicy;
 import org.selectiverenderer.statistics.detection.Response;
 
-/** Observers that are calibrated to printed means give these means when their answers are scored. */
+/**
+ * Observers that are calibrated to printed means give these means when their answers are scored.
+ */
 class ScoreCalibrationTest {
   private static final int PARTICIPANTS = 4000;
 

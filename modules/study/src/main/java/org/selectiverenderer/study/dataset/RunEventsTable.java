@@ -165,8 +165,7 @@ public final class RunEventsTable {
                   "visible", visible(what),
                   "pixels", number(what, "pixels"),
                   "turning", number(what, "turning"),
-                  "text",
-                      what.path("quality").asText() + " of " + what.path("field").asText()));
+                  "text", what.path("quality").asText() + " of " + what.path("field").asText()));
       default -> {
         // The row of the exposure has begin and end.
       }
@@ -285,7 +284,8 @@ public final class RunEventsTable {
     for (int i = 0; i < given.length; i += 2) {
       Object value = given[i + 1];
       values.put(
-          String.valueOf(given[i]), value instanceof JsonNode what ? what.path("sensor").asText() : value);
+          String.valueOf(given[i]),
+          value instanceof JsonNode what ? what.path("sensor").asText() : value);
     }
     List<@Nullable Object> cells = new ArrayList<>();
     for (String column :

@@ -92,8 +92,7 @@ final class AttentionReader {
    * Returns for each object the time in view, its integral of the solid angle, and the time in view
    * until the first look.
    */
-  private Map<String, double[]> times(
-      HeadLog there, boolean eyes, Map<String, Looks> views) {
+  private Map<String, double[]> times(HeadLog there, boolean eyes, Map<String, Looks> views) {
     Map<String, double[]> times = new HashMap<>();
     List<HeadSample> samples = there.samples();
     for (int i = 0; i < samples.size(); i++) {

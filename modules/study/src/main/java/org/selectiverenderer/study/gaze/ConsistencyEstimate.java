@@ -75,7 +75,9 @@ public record ConsistencyEstimate(
     return 1 / (1 + Math.exp(STEEPNESS * attention));
   }
 
-  /** Returns the attention that a mean rating from 1 to 6 lets expect, the inverse of the degree. */
+  /**
+   * Returns the attention that a mean rating from 1 to 6 lets expect, the inverse of the degree.
+   */
   static double expectedAttention(double rating) {
     double degree = Math.max(0.1, Math.min(0.9, (rating - 1) / 5));
     return -Math.log(degree / (1 - degree)) / STEEPNESS;

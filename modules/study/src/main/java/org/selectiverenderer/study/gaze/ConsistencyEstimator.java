@@ -107,18 +107,22 @@ public final class ConsistencyEstimator {
     double size = meanSize();
     List<Observation> observations = new ArrayList<>();
     for (ParticipantAttention seen : all) {
+      ParticipantAttention.Totals totals = seen.totals(exponent);
+      int participant = participants.getOrDefault(seen.participant(), 0);
+      int area = areas.getOrDefault(seen.area(), 0);
       seen.objects()
           .forEach(
-              (object, attention) ->
-                  observations.add(
-                      new Observation(
-                          objects.getOrDefault(new Key(seen.area(), object), 0),
-                          participants.getOrDefault(seen.participant(), 0),
-                          areas.getOrDefault(seen.area(), 0),
-                          size(attention) - size,
-                          seen.relativeAttention(object, exponent)
-                              - expected(ratings.of(object, seen.area())),
-                          1 / errorVariance(seen.expectedLooks(object, exponent)))));
+              (name, object) -> {
+                double expected = expected(ratings.of(name, seen.area()));
+                observations.add(
+                    new Observation(
+                        objects.getOrDefault(new Key(seen.area(), name), 0),
+                        participant,
+                        area,
+                        size(object) - size,
+                        seen.relativeAttention(object, totals) - expected,
+                        1 / errorVariance(seen.expectedLooks(object, totals))));
+              });
     }
     return observations;
   }
@@ -145,9 +149,7 @@ public final class ConsistencyEstimator {
   }
 
   private static double expected(OptionalDouble rating) {
-    return rating.isPresent()
-        ? ConsistencyEstimate.expectedAttention(rating.getAsDouble())
-        : 0;
+    return rating.isPresent() ? ConsistencyEstimate.expectedAttention(rating.getAsDouble()) : 0;
   }
 
   private Evidence evidence(Key key) {

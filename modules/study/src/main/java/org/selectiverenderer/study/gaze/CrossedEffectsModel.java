@@ -41,8 +41,7 @@ final class CrossedEffectsModel {
    * @param group from 0
    * @param weight inverse of the error's variance, up to a common factor near 1
    */
-  record Observation(
-      int object, int participant, int group, double x, double y, double weight) {}
+  record Observation(int object, int participant, int group, double x, double y, double weight) {}
 
   /**
    * A fitted model.

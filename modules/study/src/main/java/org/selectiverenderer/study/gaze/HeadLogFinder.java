@@ -108,8 +108,9 @@ final class HeadLogFinder {
 
   private static boolean isHeadLog(Path table) throws IOException {
     char[] first = new char[FIRST_COLUMNS.length()];
-    try (BufferedReader text = new BufferedReader(
-        new InputStreamReader(Files.newInputStream(table), StandardCharsets.ISO_8859_1))) {
+    try (BufferedReader text =
+        new BufferedReader(
+            new InputStreamReader(Files.newInputStream(table), StandardCharsets.ISO_8859_1))) {
       int read = text.read(first);
       return read == first.length && new String(first).equals(FIRST_COLUMNS);
     }

@@ -36,47 +36,65 @@ record ParticipantAttention(
   }
 
   /**
-   * Returns how often an object was attended relative to what its time in view and its size let
-   * expect, as a natural logarithm: the weighted mean of those of three rates, each (observed + 1/2)
-   * / (expected + 1/2). They are the dwell time, counted in this participant's mean looks; the
-   * looks; and whether there was a first look in the time that the object waited for one, which is
-   * censored where there was none.
+   * What this participant saw and did altogether, for a size exponent: what is expected of an
+   * object is its share of it.
    *
    * @param exponent of the solid angle to which attention is expected to be proportional
+   * @param exposure sum over the objects of time in view times size
+   * @param waiting likewise, until the first look
    */
-  double relativeAttention(String name, double exponent) {
-    ObjectAttention object = objects.get(name);
-    double exposure = exposure(object, exponent);
-    double all = objects.values().stream().mapToDouble(one -> exposure(one, exponent)).sum();
-    double looks = sum(ObjectAttention::looks);
-    double dwell = sum(ObjectAttention::dwell);
-    double waited =
-        objects.values().stream().mapToDouble(one -> waited(one, exponent)).sum();
-    double found = sum(ObjectAttention::found);
-    double mean = looks > 0 ? dwell / looks : 1;
-    double ofDwell = rate(object.dwell() / mean, dwell / mean * exposure / all);
-    double ofLooks = rate(object.looks(), looks * exposure / all);
-    double ofFirst =
-        rate(object.found(), waited > 0 ? found * waited(object, exponent) / waited : 0);
-    return (DWELL * ofDwell + LOOKS * ofLooks + FIRST * ofFirst) / OF_DWELL;
+  record Totals(
+      double exponent, double exposure, double waiting, double dwell, double looks, double found) {}
+
+  Totals totals(double exponent) {
+    return new Totals(
+        exponent,
+        sum(object -> exposure(object, exponent)),
+        sum(object -> waiting(object, exponent)),
+        sum(ObjectAttention::dwell),
+        sum(ObjectAttention::looks),
+        sum(ObjectAttention::found));
+  }
+
+  /**
+   * Returns how often an object was attended relative to what its time in view and its size let
+   * expect, as a natural logarithm: the weighted mean of those of three rates, each (observed +
+   * 1/2) / (expected + 1/2). They are the dwell time, counted in this participant's mean looks; the
+   * looks; and whether there was a first look in the time that the object waited for one, which is
+   * censored where there was none.
+   */
+  double relativeAttention(ObjectAttention object, Totals totals) {
+    double mean = totals.looks > 0 ? totals.dwell / totals.looks : 1;
+    double expected = expectedLooks(object, totals);
+    double first =
+        totals.waiting > 0 ? totals.found * waiting(object, totals.exponent) / totals.waiting : 0;
+    return (DWELL * rate(object.dwell() / mean, expected)
+            + LOOKS * rate(object.looks(), expected)
+            + FIRST * rate(object.found(), first))
+        / OF_DWELL;
   }
 
   /** Returns the number of looks that time in view and size of an object let expect. */
-  double expectedLooks(String name, double exponent) {
-    double all = objects.values().stream().mapToDouble(one -> exposure(one, exponent)).sum();
-    return sum(ObjectAttention::looks) * exposure(objects.get(name), exponent) / all;
+  double expectedLooks(ObjectAttention object, Totals totals) {
+    return totals.exposure > 0
+        ? totals.looks * exposure(object, totals.exponent) / totals.exposure
+        : 0;
   }
 
   private double sum(ToDoubleFunction<ObjectAttention> value) {
     return objects.values().stream().mapToDouble(value).sum();
   }
 
+  /**
+   * Returns the time in which an object could have been looked at and was not, times its size: with
+   * the looks themselves, what is looked at would have been in view the longer for it.
+   */
   private static double exposure(ObjectAttention object, double exponent) {
-    double before = Math.max(object.inView() - object.dwell(), 0);
-    return before * Math.pow(object.meanSolidAngle(), exponent);
+    double free = Math.max(object.inView() - object.dwell(), 0);
+    return free * Math.pow(object.meanSolidAngle(), exponent);
   }
 
-  private static double waited(ObjectAttention object, double exponent) {
+  private static double waiting(ObjectAttention object, double exponent) {
     return object.waited() * Math.pow(object.meanSolidAngle(), exponent);
   }
 

@@ -20,14 +20,20 @@ import org.selectiverenderer.study.headlog.SceneMap;
 
 /** What participants saw of a scene's objects, measured from their head logs. Not thread-safe. */
 public final class ViewingData {
-  private static final int MOST_PARTICIPANTS = 500;
+  private static final int MOST_PARTICIPANTS = 200;
   private static final int MOST_OBJECTS = 1000;
   private static final int MOST_AREAS = 100;
+
+  /** Objects in areas; the estimate's time grows with their number. */
+  private static final int MOST_PAIRS = 2000;
 
   /** What was seen of each object, by participant and area. */
   private final Map<String, Map<GazeArea, Map<String, ObjectAttention>>> seen =
       new LinkedHashMap<>();
 
+  private record Pair(GazeArea area, String object) {}
+
+  private final Set<Pair> pairs = new HashSet<>();
   private final Set<String> conditions = new TreeSet<>();
 
   /**
@@ -100,15 +106,22 @@ public final class ViewingData {
         return Optional.of("the viewer was in more than %d areas or schemas".formatted(MOST_AREAS));
       }
     }
+    Map<GazeArea, Map<String, ObjectAttention>> read = AttentionReader.of(log);
+    Set<Pair> more = new HashSet<>(pairs);
+    read.forEach(
+        (area, objects) -> objects.keySet().forEach(name -> more.add(new Pair(area, name))));
+    if (more.size() > MOST_PAIRS) {
+      return Optional.of("there would be more than %d objects in areas".formatted(MOST_PAIRS));
+    }
+    pairs.addAll(more);
     Map<GazeArea, Map<String, ObjectAttention>> all =
         seen.computeIfAbsent(participant, key -> new LinkedHashMap<>());
-    AttentionReader.of(log)
-        .forEach(
-            (area, objects) -> {
-              Map<String, ObjectAttention> own =
-                  all.computeIfAbsent(area, key -> new LinkedHashMap<>());
-              objects.forEach((name, one) -> own.merge(name, one, ObjectAttention::plus));
-            });
+    read.forEach(
+        (area, objects) -> {
+          Map<String, ObjectAttention> own =
+              all.computeIfAbsent(area, key -> new LinkedHashMap<>());
+          objects.forEach((name, one) -> own.merge(name, one, ObjectAttention::plus));
+        });
     conditions.add(log.description().condition());
     return Optional.empty();
   }
@@ -150,8 +163,7 @@ public final class ViewingData {
     seen.forEach(
         (participant, areas) ->
             areas.forEach(
-                (area, objects) ->
-                    all.add(new ParticipantAttention(participant, area, objects))));
+                (area, objects) -> all.add(new ParticipantAttention(participant, area, objects))));
     return all;
   }
 }

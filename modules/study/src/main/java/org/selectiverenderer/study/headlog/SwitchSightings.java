@@ -115,8 +115,7 @@ public record SwitchSightings(List<Change> changes) {
   private Map<String, Sum> objects() {
     Map<String, Sum> sums = new LinkedHashMap<>();
     for (Change change : changes) {
-      sums.put(
-          change.object(), sums.getOrDefault(change.object(), new Sum(0, 0, 0)).with(change));
+      sums.put(change.object(), sums.getOrDefault(change.object(), new Sum(0, 0, 0)).with(change));
     }
     return sums;
   }
@@ -137,8 +136,7 @@ public record SwitchSightings(List<Change> changes) {
                         sum.visible(),
                         sum.visible() == 0 ? "" : sum.pixels())));
     text.append(
-        "%s, %d of them visible\n"
-            .formatted(Pluralizer.of(changes.size(), "change"), visible()));
+        "%s, %d of them visible\n".formatted(Pluralizer.of(changes.size(), "change"), visible()));
     return text.toString();
   }
 

@@ -79,8 +79,7 @@ public final class Session implements AutoCloseable {
       SessionOptions options,
       ProblemCollector problems)
       throws IOException {
-    return SessionStarter.begin(
-        material, participant, number, options, Optional.empty(), problems);
+    return SessionStarter.begin(material, participant, number, options, Optional.empty(), problems);
   }
 
   /**

@@ -255,8 +255,7 @@ final class SessionStarter {
       folder.writeOnce("study.json", InputFileReader.text(material.study().file()));
       Map<String, Object> settings = new LinkedHashMap<>(options.recorded());
       settings.put("language", material.study().language());
-      settings.put(
-          "sha256", checksums.isPresent() ? checksums.get() : StudyChecksums.of(material));
+      settings.put("sha256", checksums.isPresent() ? checksums.get() : StudyChecksums.of(material));
       folder.writeOnce(FILE, JsonWriter.of(JsonTree.of(settings)));
     }
 

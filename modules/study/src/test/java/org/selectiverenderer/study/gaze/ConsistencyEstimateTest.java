@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.schema.ConsistencyType;
@@ -66,9 +67,9 @@ class ConsistencyEstimateTest {
                 "Cup", new ObjectAttention(16, 16 * 0.01, 1, 1, 6, 6, 6),
                 "Pen", new ObjectAttention(12, 12 * 0.01, 1, 1, 2, 2, 2)));
     double expected = 0.75 * Math.log(6.5 / 4.5) / 0.75;
-    assertThat(seen.relativeAttention("Cup", 1)).isCloseTo(expected, within(1e-12));
-    assertThat(seen.expectedLooks("Cup", 1)).isCloseTo(4, within(1e-12));
-    assertThat(seen.relativeAttention("Pen", 1)).isCloseTo(Math.log(2.5 / 4.5), within(1e-12));
+    assertThat(relativeAttention(seen, "Cup", 1)).isCloseTo(expected, within(1e-12));
+    assertThat(expectedLooks(seen, "Cup", 1)).isCloseTo(4, within(1e-12));
+    assertThat(relativeAttention(seen, "Pen", 1)).isCloseTo(Math.log(2.5 / 4.5), within(1e-12));
   }
 
   @Test
@@ -78,8 +79,9 @@ class ConsistencyEstimateTest {
             "Large", new ObjectAttention(16, 16 * 0.09, 1, 1, 6, 6, 6),
             "Small", new ObjectAttention(12, 12 * 0.01, 1, 1, 2, 2, 2));
     ParticipantAttention seen = new ParticipantAttention("p", AREA, objects);
-    assertThat(seen.expectedLooks("Large", 0.5)).isCloseTo(6, within(1e-12));
-    assertThat(seen.relativeAttention("Large", 0.5)).isLessThan(seen.relativeAttention("Large", 0));
+    assertThat(expectedLooks(seen, "Large", 0.5)).isCloseTo(6, within(1e-12));
+    assertThat(relativeAttention(seen, "Large", 0.5))
+        .isLessThan(relativeAttention(seen, "Large", 0));
   }
 
   @Test
@@ -88,6 +90,17 @@ class ConsistencyEstimateTest {
         new ParticipantAttention(
             "p", AREA, Map.of("Cup", new ObjectAttention(0.9, 0.1, 0, 0, 0, 0, 0)));
     assertThat(seen.objects()).isEmpty();
+  }
+
+  private static double relativeAttention(
+      ParticipantAttention seen, String object, double exponent) {
+    return seen.relativeAttention(
+        Objects.requireNonNull(seen.objects().get(object)), seen.totals(exponent));
+  }
+
+  private static double expectedLooks(ParticipantAttention seen, String object, double exponent) {
+    return seen.expectedLooks(
+        Objects.requireNonNull(seen.objects().get(object)), seen.totals(exponent));
   }
 
   /** Four objects seen by eight participants; effects are -1, 0, 0 and 1. */

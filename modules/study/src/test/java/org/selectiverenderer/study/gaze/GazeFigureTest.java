@@ -137,14 +137,13 @@ class GazeFigureTest {
   }
 
   private static String plot(List<String> figures) {
-    String[] names = {"dwell alone", "size taken out", "and ratings"};
+    String[] names = {"dwell alone", "from gaze", "and from ratings"};
     List<Curve> curves = new ArrayList<>();
     for (int column = 1; column <= names.length; column++) {
       List<Point> points = new ArrayList<>();
       for (String line : figures.subList(1, figures.size())) {
         String[] cells = line.split(",");
-        points.add(
-            new Point(Double.parseDouble(cells[0]), Double.parseDouble(cells[column])));
+        points.add(new Point(Double.parseDouble(cells[0]), Double.parseDouble(cells[column])));
       }
       curves.add(new Curve(names[column - 1], points));
     }

@@ -34,8 +34,7 @@ public final class BudgetRules {
           .see("thesis 6.2");
 
   static final Rule UNUSED_BUDGET =
-      Rule.warning(
-              "SR503", "the budget of {limits} for {what} fits no scene of this run")
+      Rule.warning("SR503", "the budget of {limits} for {what} fits no scene of this run")
           .because(
               """
               No scene has such a group, or such schemas that can be active together, so the \

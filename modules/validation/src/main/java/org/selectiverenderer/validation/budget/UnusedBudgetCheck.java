@@ -6,10 +6,10 @@ import java.util.stream.Collectors;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.polygon.EnrichmentPolygonModel;
+import org.selectiverenderer.validation.CostBudget;
 import org.selectiverenderer.validation.CrossSceneCheck;
 import org.selectiverenderer.validation.FileOutlineAdapter;
 import org.selectiverenderer.validation.FindingCollector;
-import org.selectiverenderer.validation.CostBudget;
 import org.selectiverenderer.validation.SceneContext;
 
 /** Finds budgets that apply to none of the scenes and are therefore never checked. */
@@ -37,7 +37,8 @@ final class UnusedBudgetCheck implements CrossSceneCheck {
           SourceLocation.of(settings.file()),
           "",
           budget.limits().entrySet().stream()
-              .map(limit -> DecimalFormatter.grouped(limit.getValue()) + " " + limit.getKey().unit())
+              .map(
+                  limit -> DecimalFormatter.grouped(limit.getValue()) + " " + limit.getKey().unit())
               .collect(Collectors.joining(", ")),
           where + when + (budget.file().isEmpty() ? "" : " of " + budget.file()));
     }

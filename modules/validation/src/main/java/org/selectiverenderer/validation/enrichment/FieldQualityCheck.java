@@ -13,8 +13,8 @@ import org.selectiverenderer.schema.SchemaProblem;
 import org.selectiverenderer.schema.SchemaReader;
 import org.selectiverenderer.validation.FileOutline;
 import org.selectiverenderer.validation.FindingCollector;
-import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.AccessType;
+import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.field.FieldParser;
 import org.selectiverenderer.x3d.field.FieldType;
 import org.selectiverenderer.x3d.read.ParsedNode;
@@ -154,7 +154,8 @@ final class FieldQualityCheck implements EnrichedSceneCheck {
     if (at.isSet()) {
       findings.add(FieldQualityRules.UNKNOWN_QUALITY, at.node(), "and is missing");
     } else {
-      findings.addAt(FieldQualityRules.UNKNOWN_QUALITY, file, at.node(), "value", "not " + quoted(at));
+      findings.addAt(
+          FieldQualityRules.UNKNOWN_QUALITY, file, at.node(), "value", "not " + quoted(at));
     }
   }
 

@@ -9,8 +9,7 @@ final class FieldQualityRules {
 
   static final Rule UNKNOWN_QUALITY =
       Rule.warning(
-              "SR427",
-              "quality must be polygons, textures, shading, light or animation, {instead}")
+              "SR427", "quality must be polygons, textures, shading, light or animation, {instead}")
           .because(
               """
               The quality tells conditions and --quality what a choice or a level varies. A word \

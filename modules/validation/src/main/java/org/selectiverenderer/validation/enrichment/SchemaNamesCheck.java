@@ -33,7 +33,8 @@ final class SchemaNamesCheck implements EnrichedSceneCheck {
             (object, qualities) ->
                 qualities.stream()
                     .map(FieldQuality::schemas)
-                    .forEach(levels -> use.object(object, levels.byChoice(), levels.mostDetailed())));
+                    .forEach(
+                        levels -> use.object(object, levels.byChoice(), levels.mostDetailed())));
     Set<String> activated = use.activated();
     Set<String> explained = new HashSet<>();
     for (Unmatched<ParsedNode> found : use.unmatched()) {

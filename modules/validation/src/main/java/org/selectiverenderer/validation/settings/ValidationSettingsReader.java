@@ -34,9 +34,9 @@ import org.selectiverenderer.x3d.url.ContentAccessKeys;
  * </pre>
  *
  * <p>Each key may be left out, and so may a budget's {@code file} (every scene), {@code scope} (the
- * whole scene), {@code schemas} (the worst state) and all limits but one. The file is read as {@link
- * org.selectiverenderer.formats.json} describes: an unknown key is an error, since a misspelling
- * would otherwise go unnoticed.
+ * whole scene), {@code schemas} (the worst state) and all limits but one. The file is read as
+ * {@link org.selectiverenderer.formats.json} describes: an unknown key is an error, since a
+ * misspelling would otherwise go unnoticed.
  */
 public final class ValidationSettingsReader {
   private static final JsonSettingsReader JSON =

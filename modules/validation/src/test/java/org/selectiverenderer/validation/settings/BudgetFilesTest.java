@@ -89,7 +89,8 @@ class BudgetFilesTest {
   void texturesAndDrawCallsHaveBudgetsToo() throws IOException {
     assertThat(findings("{\"scope\": \"Kitchen\", \"drawCalls\": 0, \"textureBytes\": 0}"))
         .containsExactlyInAnyOrder("house.x3d SR501", "rooms/living.x3d SR501");
-    assertThat(findings("{\"scope\": \"Kitchen\", \"drawCalls\": 1, \"textureBytes\": 0}")).isEmpty();
+    assertThat(findings("{\"scope\": \"Kitchen\", \"drawCalls\": 1, \"textureBytes\": 0}"))
+        .isEmpty();
     ProblemCollector problems = new ProblemCollector();
     assertThat(settings("{\"scope\": \"Kitchen\"}", problems)).isEmpty();
     assertThat(problems.list().toString())

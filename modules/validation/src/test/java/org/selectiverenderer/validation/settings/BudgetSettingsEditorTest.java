@@ -18,8 +18,7 @@ import org.selectiverenderer.validation.run.RuleCatalogue;
 /** Budgets are changed in the text that a person has written. */
 class BudgetSettingsEditorTest {
   private static final CostBudget OFFICE = new CostBudget("Office", List.of(), 170000);
-  private static final CostBudget DESK =
-      new CostBudget("Office", List.of("Desk", "Chair"), 70000);
+  private static final CostBudget DESK = new CostBudget("Office", List.of("Desk", "Chair"), 70000);
 
   @TempDir Path folder;
 
@@ -103,8 +102,7 @@ class BudgetSettingsEditorTest {
     assertThat(text()).contains("\"polygons\": 5, \"drawCalls\": 9");
     file.remove(OFFICE);
     assertThat(read())
-        .containsExactly(
-            new CostBudget("", "Office", List.of(), Map.of(CostKind.DRAW_CALLS, 9L)));
+        .containsExactly(new CostBudget("", "Office", List.of(), Map.of(CostKind.DRAW_CALLS, 9L)));
     file.remove(OFFICE);
     assertThat(read()).hasSize(1);
   }

@@ -24,7 +24,10 @@ import org.web3d.x3d.sai.X3DNode;
  * <p>Belongs to the thread that steps the world.
  */
 public final class VersionBudget {
-  /** A version takes the triangles of another if it is worth twice as much: so much more, as a share. */
+  /**
+   * A version takes the triangles of another if it is worth twice as much: so much more, as a
+   * share.
+   */
   private static final double HYSTERESIS = 1;
 
   private final World world;
@@ -105,8 +108,7 @@ public final class VersionBudget {
   private void choose() {
     InstanceTree now = world.instances();
     List<ChoosableObject> choosable = controller.choosable();
-    boolean other =
-        choosable != objects || now != tree || structure != now.structureVersion();
+    boolean other = choosable != objects || now != tree || structure != now.structureVersion();
     if (other) {
       objects = choosable;
       tree = now;

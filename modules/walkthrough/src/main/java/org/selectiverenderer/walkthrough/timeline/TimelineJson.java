@@ -51,9 +51,7 @@ public final class TimelineJson {
       start.switches().forEach(switches::put);
       if (!start.fields().isEmpty()) {
         ObjectNode objects = node.putObject("fields");
-        start
-            .fields()
-            .forEach((object, fields) -> fields.forEach(objects.putObject(object)::put));
+        start.fields().forEach((object, fields) -> fields.forEach(objects.putObject(object)::put));
       }
     } else if (event instanceof ControlEvent.Enter enter) {
       node.put("event", "enter").put("sensor", enter.sensor());

@@ -91,9 +91,7 @@ public final class TimelineText {
   }
 
   private static String waiting(Map<String, Integer> choices) {
-    return choices.isEmpty()
-        ? ""
-        : "; not shown, as it would have been seen: " + listed(choices);
+    return choices.isEmpty() ? "" : "; not shown, as it would have been seen: " + listed(choices);
   }
 
   private static String by(ChoiceCause cause) {

@@ -130,8 +130,7 @@ final class SurfaceSamples {
           u = 1 - u;
           v = 1 - v;
         }
-        Vector3d at =
-            corner(mesh, 3 * t).fma(u, whole.edges()[0]).fma(v, whole.edges()[1]);
+        Vector3d at = corner(mesh, 3 * t).fma(u, whole.edges()[0]).fma(v, whole.edges()[1]);
         Vector3d scaled = new Vector3d(whole.edges()[0]).mul(share / area);
         to.add(new Sample(shape, mesh, at, new Vector3d[] {scaled, whole.edges()[1]}));
       }

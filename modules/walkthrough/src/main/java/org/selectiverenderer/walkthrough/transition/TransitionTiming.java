@@ -42,8 +42,7 @@ public final class TransitionTiming implements SwitchTiming {
    *
    * @param nodes returns the node of the world behind one of the SAI
    */
-  public TransitionTiming(
-      World world, SwitchTransition transition, Function<X3DNode, Node> nodes) {
+  public TransitionTiming(World world, SwitchTransition transition, Function<X3DNode, Node> nodes) {
     this.world = world;
     this.transition = transition;
     this.nodes = nodes;

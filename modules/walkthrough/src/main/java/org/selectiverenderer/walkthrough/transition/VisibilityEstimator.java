@@ -12,6 +12,7 @@ import org.joml.Vector4d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.browser.camera.EyeCameras;
 import org.selectiverenderer.browser.collision.RayCaster;
 import org.selectiverenderer.browser.instance.ExtendedMaterial;
 import org.selectiverenderer.browser.instance.GroupInstance;
@@ -26,8 +27,8 @@ import org.selectiverenderer.browser.scene.Node;
  * Estimates whether the viewer sees an object of several versions, and how large, by rays from the
  * eyes to {@value SurfaceSamples#COUNT} points on the surface of each of the two versions
  * concerned. A point is seen if it lies in an eye's view and nothing but the object itself or
- * something transparent is before it. A surface of which hardly a point lies in the view, because it
- * is large and near, is looked for by rays through a grid over its part of the picture.
+ * something transparent is before it. A surface of which hardly a point lies in the view, because
+ * it is large and near, is looked for by rays through a grid over its part of the picture.
  *
  * <p>The pixels are those of the eye that sees most. Each point of the version that is shown stands
  * for an equal area A of the surface; if nothing hides it, it adds A cos(t) / d^2, its solid angle
@@ -86,7 +87,7 @@ final class VisibilityEstimator {
    */
   Optional<Estimate> of(Node switchNode, int shown, int other, boolean exactly) {
     Estimate all = Estimate.NOTHING;
-    List<Camera> eyes = world.eyes();
+    List<Camera> eyes = EyeCameras.of(world);
     for (Instance instance : tree().instances(switchNode)) {
       if (!(instance instanceof GroupInstance group) || !group.shown()) {
         continue;
@@ -100,8 +101,7 @@ final class VisibilityEstimator {
           return Optional.empty();
         }
         Estimate one = view.look(samples(group, shown), samples(group, other), exactly);
-        all =
-            new Estimate(all.visible || one.visible, Math.max(all.pixels, one.pixels));
+        all = new Estimate(all.visible || one.visible, Math.max(all.pixels, one.pixels));
         if (all.visible && !exactly) {
           return Optional.of(all);
         }

@@ -159,9 +159,7 @@ class VersionBudgetTest {
     open("triangles:1400", FLOOR, LEFT, RIGHT);
     look(-0.5, 0, 0);
     assertThat(changed()).isEqualTo(Map.of("Left", 0));
-    walk.budget()
-        .orElseThrow()
-        .gaze(() -> Optional.of(new Vector3d(3.5, 0, -5).normalize()));
+    walk.budget().orElseThrow().gaze(() -> Optional.of(new Vector3d(3.5, 0, -5).normalize()));
     look(-0.5, 0, 0);
     assertThat(changed()).isEqualTo(Map.of("Left", 1, "Right", 0));
   }

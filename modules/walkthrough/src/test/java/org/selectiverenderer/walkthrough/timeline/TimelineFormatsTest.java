@@ -57,8 +57,7 @@ class TimelineFormatsTest {
         told(0, new ControlEvent.Start(0, switches(1), Map.of("Sofa", Map.of("T.url", -1))));
     TimelineEvent changed =
         told(2, new ControlEvent.FieldChange(0, "Sofa", Quality.TEXTURES, "T.url", -1, 1, "A"));
-    assertThat(text.line(start))
-        .isEqualTo("   0.000 s  start   S0: choice 0; 1 field with levels");
+    assertThat(text.line(start)).isEqualTo("   0.000 s  start   S0: choice 0; 1 field with levels");
     assertThat(json.line(start))
         .isEqualTo(
             "{\"t\":0.0,\"event\":\"start\",\"switches\":{\"S0\":0},"

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.browser.camera.Camera;
+import org.selectiverenderer.browser.camera.EyeCameras;
 import org.selectiverenderer.browser.viewer.Viewer;
 import org.selectiverenderer.control.ControlEvent.SwitchChange;
 import org.selectiverenderer.control.SelectiveController.Settings;
@@ -31,8 +32,7 @@ import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
 class TransitionTimingTest {
   private static final SwitchTransition UNSEEN = new SwitchTransition.Unseen(180);
 
-  private static final String MATERIAL =
-      "<Appearance><Material transparency='%s'/></Appearance>";
+  private static final String MATERIAL = "<Appearance><Material transparency='%s'/></Appearance>";
 
   private static final String BOX =
       "<Shape>" + MATERIAL.formatted(0) + "<Box size='1 1 1'/></Shape>";
@@ -75,8 +75,7 @@ class TransitionTimingTest {
   private void open(String nodes, SwitchTransition transition) throws IOException {
     Path scene = folder.resolve("scene.x3d");
     Files.writeString(
-        scene,
-        "<X3D version='4.0' profile='Full'><Scene>" + nodes + AREA + "</Scene></X3D>");
+        scene, "<X3D version='4.0' profile='Full'><Scene>" + nodes + AREA + "</Scene></X3D>");
     walk =
         Walkthrough.open(
             scene, Settings.SELECTIVE.with(transition), problem -> {}, this::heard, text -> {});
@@ -264,12 +263,10 @@ class TransitionTimingTest {
     Matrix4d narrow = new Matrix4d().setPerspective(Math.toRadians(20), 1, 0.1, 100);
     Matrix4d view = walk.world().viewer().view();
     Matrix4d turned = new Matrix4d().rotateY(Math.toRadians(50)).mul(view);
-    walk.world()
-        .seenBy(
-            List.of(
-                new Camera(view, narrow, 0, 0, 100, 100),
-                new Camera(turned, narrow, 100, 0, 100, 100)),
-            1);
+    List<Camera> eyes =
+        List.of(
+            new Camera(view, narrow, 0, 0, 100, 100), new Camera(turned, narrow, 100, 0, 100, 100));
+    walk.world().seenBy(EyeCameras.frames(eyes, 1, walk.world().viewer()), eyes.get(0).angle());
     frame(0, 50);
     assertThat(choices()).as("the second eye squints at it").isEmpty();
     frame(0, 90);

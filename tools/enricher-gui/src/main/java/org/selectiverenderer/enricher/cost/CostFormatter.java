@@ -41,8 +41,7 @@ final class CostFormatter {
 
   /** The number of draw calls, with a sign where they are more than their limit. */
   static String draws(CostRow row) {
-    return marked(
-        row, CostKind.DRAW_CALLS, DecimalFormatter.grouped(row.cost().drawCalls()));
+    return marked(row, CostKind.DRAW_CALLS, DecimalFormatter.grouped(row.cost().drawCalls()));
   }
 
   private static String marked(CostRow row, CostKind kind, String text) {
@@ -74,8 +73,7 @@ final class CostFormatter {
                 status.broken()
                     ? Texts.of("cost.over", DecimalFormatter.grouped(status.over()))
                     : Texts.of(
-                        "cost.left",
-                        DecimalFormatter.grouped(status.limit() - status.cost())));
+                        "cost.left", DecimalFormatter.grouped(status.limit() - status.cost())));
   }
 
   /** The status bar's sentence about a limit that is exceeded now. */

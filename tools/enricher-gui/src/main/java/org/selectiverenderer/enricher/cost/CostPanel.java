@@ -34,8 +34,9 @@ import org.selectiverenderer.validation.CostKind;
 import org.selectiverenderer.x3d.source.DocumentElement;
 
 /**
- * Shows the cost of the scene: polygons of its parts in each state against limits, bytes of textures
- * and draw calls, and the share of each object in the selected state. For the event dispatch thread.
+ * Shows the cost of the scene: polygons of its parts in each state against limits, bytes of
+ * textures and draw calls, and the share of each object in the selected state. For the event
+ * dispatch thread.
  */
 public final class CostPanel extends JPanel {
   private static final long serialVersionUID = 1L;
@@ -126,7 +127,7 @@ public final class CostPanel extends JPanel {
   private void dressStates() {
     statesTable
         .column(StatesTableModel.SCOPE, 9, 8)
-        .column(StatesTableModel.STATE, 20, 14)
+        .column(StatesTableModel.STATE, 20, 12)
         .numbers(StatesTableModel.POLYGONS, 9, 8)
         .numbers(StatesTableModel.PERCENT, 7, 7)
         .numbers(StatesTableModel.TEXTURES, 8, 7)

@@ -105,8 +105,7 @@ record CostRow(
     return List.copyOf(making.rows);
   }
 
-  private record Making(
-      EnrichmentPolygonModel model, List<CostBudget> left, List<CostRow> rows) {
+  private record Making(EnrichmentPolygonModel model, List<CostBudget> left, List<CostRow> rows) {
     Making(EnrichmentPolygonModel model, List<CostBudget> budgets) {
       this(model, budgets, new ArrayList<>());
     }

@@ -1,7 +1,7 @@
 /**
  * The cost of the scene, shown below the table of schemas: polygons, bytes of textures and draw
- * calls of each part of the scene in each state that the areas bring about, against limits that the author sets; and the
- * share of each object.
+ * calls of each part of the scene in each state that the areas bring about, against limits that the
+ * author sets; and the share of each object.
  *
  * <p>Nothing is counted here: {@link org.selectiverenderer.polygon.IncrementalSceneCounter} counts
  * as {@code polygons} does and keeps the files that have not changed, {@link
@@ -18,8 +18,7 @@
  *
  * <p>In: the session, the settings file. Out: the settings file, selections. Uses {@code
  * enricher.session}, {@code enricher.settings}, {@code enricher.table}, {@code enricher.text},
- * {@code enricher.images} for sizes in words,
- * {@code polygon}, {@code validation}, {@code base}.
+ * {@code enricher.images} for sizes in words, {@code polygon}, {@code validation}, {@code base}.
  */
 @NullMarked
 package org.selectiverenderer.enricher.cost;

@@ -83,8 +83,7 @@ final class MetadataFormModel {
   private Optional<String> write(ChoiceMetadata wanted) {
     read.get()
         .filter(now -> !now.equals(wanted))
-        .ifPresent(
-            now -> session.attempt(() -> session.document().perform(edit.apply(wanted))));
+        .ifPresent(now -> session.attempt(() -> session.document().perform(edit.apply(wanted))));
     return Optional.empty();
   }
 }

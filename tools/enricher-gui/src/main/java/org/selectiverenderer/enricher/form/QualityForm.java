@@ -188,9 +188,7 @@ final class QualityForm {
   }
 
   private String shown(List<String> values) {
-    return now()
-        .map(now -> targets().shown(element, now.field().target(), values))
-        .orElse("");
+    return now().map(now -> targets().shown(element, now.field().target(), values)).orElse("");
   }
 
   private static void name(JComponent control, String name, String tip) {
@@ -199,8 +197,7 @@ final class QualityForm {
     control.setToolTipText(tip);
   }
 
-  private JButton small(
-      String sign, String key, String argument, Function<Now, Edit> making) {
+  private JButton small(String sign, String key, String argument, Function<Now, Edit> making) {
     String tip = Texts.of(key, argument);
     JButton button = new JButton(sign);
     button.putClientProperty("JButton.buttonType", "toolBarButton");

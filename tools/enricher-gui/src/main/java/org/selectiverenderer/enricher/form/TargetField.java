@@ -65,14 +65,10 @@ final class TargetField extends CompletingField<TargetField.Proposal> {
     int dot = typed.lastIndexOf('.');
     return dot < 0
         ? Optional.empty()
-        : session
-            .document()
-            .tree()
-            .flatMap(tree -> tree.named(typed.substring(0, dot), object));
+        : session.document().tree().flatMap(tree -> tree.named(typed.substring(0, dot), object));
   }
 
-  private static List<Proposal> fields(
-      QualityTargets targets, DocumentElement node, String typed) {
+  private static List<Proposal> fields(QualityTargets targets, DocumentElement node, String typed) {
     Stream<Proposal> all =
         targets.fields(node).stream()
             .map(

@@ -4,9 +4,9 @@
  *
  * <p>In: a session, pictures of versions. Out: edits of the document. Uses {@code
  * enricher.session}, {@code enricher.task}, {@code enricher.text}, {@code enricher.completion},
- * {@code enricher.help}, {@code enricher.images}, {@code enricher.preview} for the pictures, {@code enricher.versions} for
- * levels of texture and shading, {@code
- * enricher.problems}, {@code authoring}, {@code schema}, {@code x3d} and {@code base}.
+ * {@code enricher.help}, {@code enricher.images}, {@code enricher.preview} for the pictures, {@code
+ * enricher.versions} for levels of texture and shading, {@code enricher.problems}, {@code
+ * authoring}, {@code schema}, {@code x3d} and {@code base}.
  */
 @NullMarked
 package org.selectiverenderer.enricher.form;

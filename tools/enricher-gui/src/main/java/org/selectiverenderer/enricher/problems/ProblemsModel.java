@@ -184,8 +184,7 @@ final class ProblemsModel {
     return enrichment
             .switchNode(element)
             .filter(
-                node ->
-                    !node.enriched() && node.qualities().isEmpty() && node.findings().isEmpty())
+                node -> !node.enriched() && node.qualities().isEmpty() && node.findings().isEmpty())
             .isPresent()
         || enrichment
             .sensorNode(element)

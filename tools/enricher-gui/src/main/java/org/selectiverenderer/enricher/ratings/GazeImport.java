@@ -32,8 +32,7 @@ final class GazeImport {
   void take(GazeProposals read, List<GazeProposal> fresh) {
     logs = read;
     proposals = List.copyOf(fresh);
-    accepted.retainAll(
-        proposals.stream().filter(GazeProposal::applicable).map(Key::of).toList());
+    accepted.retainAll(proposals.stream().filter(GazeProposal::applicable).map(Key::of).toList());
   }
 
   /** The logs that were read; null for none. */
@@ -55,6 +54,12 @@ final class GazeImport {
     } else {
       accepted.remove(Key.of(proposal));
     }
+  }
+
+  /** Whether what follows for an object and a schema comes from an accepted proposal. */
+  boolean told(String object, String schema) {
+    return chosen().stream()
+        .anyMatch(each -> each.object().equals(object) && each.schema().equals(schema));
   }
 
   /** The accepted proposals. */

@@ -56,8 +56,7 @@ public final class GazeProposals {
   public List<GazeProposal> of(ViewedObjects objects) {
     ViewingData bySchema =
         data.named(area -> new GazeArea(objects.schema(area.name(), area.schema()), true));
-    return ConsistencyEstimator.of(
-            bySchema, (object, area) -> objects.rating(object, area.name()))
+    return ConsistencyEstimator.of(bySchema, (object, area) -> objects.rating(object, area.name()))
         .stream()
         .map(estimate -> proposal(estimate, objects))
         .toList();

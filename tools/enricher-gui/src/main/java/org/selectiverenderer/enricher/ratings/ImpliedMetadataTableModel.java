@@ -54,17 +54,18 @@ final class ImpliedMetadataTableModel extends RowTableModel<ImpliedMetadataTable
     show(fresh);
   }
 
-  private static void add(RatingPlan plan, List<Row> rows) {
+  private void add(RatingPlan plan, List<Row> rows) {
     for (RatingPlan.Row row : plan.rows()) {
       String name = row.node().name();
       for (ImpliedSchema implied : row.schemas()) {
+        boolean gaze = model.gaze().told(name, implied.schema());
         rows.add(
             new Row(
                 name,
                 implied.schema(),
-                DecimalFormatter.fixed(implied.mean().value(), 2),
-                DecimalFormatter.grouped(implied.mean().count()),
-                band(implied.mean().band()),
+                gaze ? "" : DecimalFormatter.fixed(implied.mean().value(), 2),
+                gaze ? "" : DecimalFormatter.grouped(implied.mean().count()),
+                gaze ? Texts.of("ratings.fromgaze") : band(implied.mean().band()),
                 implied
                     .choice()
                     .map(choice -> metadata(choice, row.choices()))

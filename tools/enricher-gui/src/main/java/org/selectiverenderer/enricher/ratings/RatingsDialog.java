@@ -1,5 +1,7 @@
 package org.selectiverenderer.enricher.ratings;
 
+import java.awt.Insets;
+import java.awt.Rectangle;
 import java.awt.Window;
 import java.io.File;
 import java.io.IOException;
@@ -120,8 +122,10 @@ public final class RatingsDialog extends JDialog {
     JSplitPane split =
         new JSplitPane(
             JSplitPane.HORIZONTAL_SPLIT,
-            RatingsTableFactory.captioned(Mnemonics.label("ratings.caption.matches"), matches, 48, 14),
-            RatingsTableFactory.captioned(Mnemonics.label("ratings.caption.implied"), implied, 86, 14));
+            RatingsTableFactory.captioned(
+                Mnemonics.label("ratings.caption.matches"), matches, 48, 14),
+            RatingsTableFactory.captioned(
+                Mnemonics.label("ratings.caption.implied"), implied, 86, 14));
     split.setResizeWeight(0.4);
     split.setBorder(null);
     return split;
@@ -256,11 +260,22 @@ public final class RatingsDialog extends JDialog {
     return new RatingsImportModel.Table(table.toString(), Optional.empty(), List.of(problem));
   }
 
+  /** Makes room for the proposals, by the tables above where the screen is low. */
+  private void showProposals() {
+    gaze.setVisible(true);
+    pack();
+    Rectangle screen = getGraphicsConfiguration().getBounds();
+    Insets bars = getToolkit().getScreenInsets(getGraphicsConfiguration());
+    int height = Math.min(getHeight(), screen.height - bars.top - bars.bottom);
+    setSize(Math.min(getWidth(), screen.width - bars.left - bars.right), height);
+    int lowest = screen.y + screen.height - bars.bottom - height;
+    setLocation(getX(), Math.max(screen.y + bars.top, Math.min(getY(), lowest)));
+  }
+
   private void refresh() {
     renewProposals();
     if (!gaze.isVisible() && !model.gaze().proposals().isEmpty()) {
-      gaze.setVisible(true);
-      pack();
+      showProposals();
     }
     List<String> left = model.leftOut();
     leftOut.setListData(left.toArray(String[]::new));

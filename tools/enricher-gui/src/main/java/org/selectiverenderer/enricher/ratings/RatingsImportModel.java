@@ -261,8 +261,7 @@ final class RatingsImportModel {
   Optional<Edit> edit() {
     // The scene may have been edited since the plan was computed.
     work();
-    String step =
-        ratings == null ? Texts.of("ratings.step.gaze") : Texts.of("ratings.step", name);
+    String step = ratings == null ? Texts.of("ratings.step.gaze") : Texts.of("ratings.step", name);
     return plan().filter(p -> applicable()).map(p -> p.edit(step));
   }
 }

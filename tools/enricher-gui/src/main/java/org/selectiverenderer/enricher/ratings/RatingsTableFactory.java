@@ -1,5 +1,6 @@
 package org.selectiverenderer.enricher.ratings;
 
+import java.awt.Component;
 import java.awt.Dimension;
 import java.util.List;
 import javax.swing.DefaultCellEditor;
@@ -9,6 +10,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.ListSelectionModel;
+import javax.swing.table.TableCellRenderer;
 import javax.swing.table.TableModel;
 import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.enricher.component.ColumnHeads;
@@ -49,6 +51,15 @@ final class RatingsTableFactory {
       table.getColumnModel().getColumn(i).setPreferredWidth(10 * shares[i]);
     }
     ColumnHeads.fit(table);
+    TableCellRenderer boxes = table.getDefaultRenderer(Boolean.class);
+    table.setDefaultRenderer(
+        Boolean.class,
+        (of, value, selected, focused, row, column) -> {
+          Component box =
+              boxes.getTableCellRendererComponent(of, value, selected, focused, row, column);
+          box.setEnabled(model.isCellEditable(row, column));
+          return box;
+        });
     return table;
   }
 

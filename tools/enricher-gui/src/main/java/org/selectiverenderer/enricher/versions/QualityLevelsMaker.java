@@ -119,8 +119,7 @@ public final class QualityLevelsMaker {
     try {
       Path scene = session.file().path();
       edit =
-          new QualityVersionsEdit(
-              document, session.catalogue(), scene, session.access(), problems);
+          new QualityVersionsEdit(document, session.catalogue(), scene, session.access(), problems);
     } catch (IOException e) {
       session.message(Remarks.of(e));
       return;
@@ -129,8 +128,7 @@ public final class QualityLevelsMaker {
         .tasks()
         .run(
             Texts.of("versions.levels.making"),
-            progress ->
-                new Planned(edit.plan(request, PictureReducer::reduced), problems.list()),
+            progress -> new Planned(edit.plan(request, PictureReducer::reduced), problems.list()),
             planned -> apply(request.object(), revision, planned),
             failed -> session.message(Remarks.shown(message(failed))));
   }

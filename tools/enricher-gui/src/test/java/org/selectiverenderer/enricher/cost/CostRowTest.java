@@ -42,10 +42,7 @@ class CostRowTest {
                 ContentAccessPolicy.none());
     CostBudget budget =
         new CostBudget(
-            "",
-            "",
-            List.of(),
-            Map.of(CostKind.TEXTURE_BYTES, 19L, CostKind.DRAW_CALLS, 2L));
+            "", "", List.of(), Map.of(CostKind.TEXTURE_BYTES, 19L, CostKind.DRAW_CALLS, 2L));
     List<CostRow> rows = CostRow.of(counted, List.of(budget));
     CostRow worst =
         rows.stream().filter(row -> row.kind() == CostRow.Kind.WORST).findFirst().orElseThrow();

@@ -14,11 +14,12 @@ import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.selectiverenderer.authoring.editing.FieldEdits;
+import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
+import org.selectiverenderer.authoring.enrichment.QualityEdits;
 import org.selectiverenderer.enricher.EventThread;
+import org.selectiverenderer.schema.FieldReference;
 import org.selectiverenderer.testing.Eventually;
 import org.selectiverenderer.testing.ShowsWindows;
-import org.selectiverenderer.x3d.source.DocumentElement;
 
 @ShowsWindows
 @Timeout(value = 120, unit = TimeUnit.SECONDS)
@@ -71,8 +72,7 @@ class QualitiesFormTest {
   }
 
   private static String undo(FormWindowDriver window) {
-    return EventThread.get(
-        () -> window.session.document().history().undoName().orElse("nothing"));
+    return EventThread.get(() -> window.session.document().history().undoName().orElse("nothing"));
   }
 
   @Test
@@ -140,15 +140,15 @@ class QualitiesFormTest {
       assertThat(outline(target)).isNull();
       EventThread.edt(
           () -> {
-            DocumentElement paint =
-                window.session.document().tree().orElseThrow().named("Paint").orElseThrow();
+            EnrichedSwitch bin = window.session.enrichment().switches().get(0);
             window.session.perform(
-                new FieldEdits(window.session.document())
-                    .set(paint, "DEF", "Varnish"));
+                new QualityEdits(window.session.document())
+                    .target(
+                        bin, bin.fields().get(0), new FieldReference("Varnish", "transparency")));
           });
       assertThat(outline(target)).isEqualTo("error");
       assertThat(target.getAccessibleContext().getAccessibleDescription())
-          .isEqualTo("No node of this file has the name Paint.");
+          .isEqualTo("No node of this file has the name Varnish.");
     }
   }
 

@@ -36,7 +36,8 @@ class SchemaSimulatorTest {
       World world = new World(loader.load(scene), problems);
       PreviewNodeIndex nodes = new PreviewNodeIndex(world);
       SwitchNode object = nodes.switches().iterator().next();
-      SchemaSimulator asIf = new SchemaSimulator(
+      SchemaSimulator asIf =
+          new SchemaSimulator(
               nodes.switches(), (node, name) -> world.scene().find(name), world.cascade());
 
       asIf.apply(List.of("Desk"));

@@ -111,8 +111,7 @@ class RatingsDialogTest {
     String before = session.document().text().toString();
     String name = String.valueOf(session.file().path().getFileName());
     GazeSimulator room =
-        new GazeSimulator(
-            name, List.of("OfficeSchema"), GazeSimulator.along(attention, 1));
+        new GazeSimulator(name, List.of("OfficeSchema"), GazeSimulator.along(attention, 1));
     for (int p = 1; p <= 10; p++) {
       GazeSimulator.write(
           room.log(60, p), folder.resolve("logs/sub-%02d/ses-01/head/a_run-01.csv".formatted(p)));

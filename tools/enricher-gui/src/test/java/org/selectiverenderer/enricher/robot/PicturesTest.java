@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
@@ -29,6 +30,8 @@ import org.selectiverenderer.enricher.overview.OverviewPanel;
 import org.selectiverenderer.enricher.ratings.RatingsDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.versions.VersionsDialog;
+import org.selectiverenderer.study.gaze.GazeSimulator;
+import org.selectiverenderer.study.gaze.GazeSimulator.Target;
 import org.selectiverenderer.testing.ShowsWindows;
 import org.selectiverenderer.testing.robot.GuiRobot;
 
@@ -130,6 +133,66 @@ class PicturesTest {
 
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
+  void gaze(boolean dark) throws IOException {
+    TestSessions.theme(dark);
+    EnricherSession session = TestSessions.open(SCENES.resolve("apartment-plain.x3d"));
+    byte[] table = Files.readAllBytes(RATINGS);
+    Ratings ratings = Ratings.read("ratings.csv", table, new ProblemCollector()).orElseThrow();
+    List<String> names = new ArrayList<>();
+    List<Double> attention = new ArrayList<>();
+    new ObjectNameMatcher(ratings.means().keySet(), session.enrichment().switches())
+        .matches()
+        .forEach(
+            match -> {
+              Ratings.Mean mean = ratings.means().get(match.object()).get("OfficeSchema");
+              if (mean != null) {
+                names.add(match.switchName().orElseThrow());
+                attention.add((3.8 - mean.value()) / 2);
+              }
+            });
+    List<Target> targets = new ArrayList<>();
+    double[] all = attention.stream().mapToDouble(each -> each).toArray();
+    for (Target each : GazeSimulator.along(all, 1)) {
+      targets.add(new Target(names.get(targets.size()), each.box(), each.attention()));
+    }
+    List<String> schemas = List.of("OfficeSchema");
+    GazeSimulator room = new GazeSimulator("apartment-plain.x3d", schemas, targets);
+    for (int p = 1; p <= 16; p++) {
+      Path log = folder.resolve("study/sub-%03d/ses-01/head/a_run-01.csv".formatted(p));
+      GazeSimulator.write(room.log(90, p), log);
+    }
+    RatingsDialog dialog = GuiRobot.onEdt(() -> new RatingsDialog(null, session));
+    hands.show(dialog);
+    GuiRobot.onEdt(
+        () -> {
+          dialog.open(RATINGS);
+          return true;
+        });
+    hands.await("the plan", GuiRobot.named(dialog, "Apply", JButton.class)::isEnabled);
+    GuiRobot.onEdt(
+        () -> {
+          dialog.openLogs(List.of(folder.resolve("study")));
+          return true;
+        });
+    JTable proposals =
+        GuiRobot.named(dialog, "Proposals from what participants looked at", JTable.class);
+    hands.await("the proposals", proposals::isShowing);
+    GuiRobot.onEdt(
+        () -> {
+          proposals.setValueAt(true, 0, 0);
+          proposals.setValueAt(true, 1, 0);
+          return true;
+        });
+    both(dialog.getContentPane(), "gaze", dark);
+    GuiRobot.onEdt(
+        () -> {
+          dialog.dispose();
+          return true;
+        });
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
   void versions(boolean dark) throws IOException {
     TestSessions.theme(dark);
     EnricherSession session = TestSessions.open(SCENES.resolve("apartment.x3d"));
@@ -157,7 +220,8 @@ class PicturesTest {
     Ratings ratings = Ratings.read("ratings.csv", table, new ProblemCollector()).orElseThrow();
     var matching = new ObjectNameMatcher(ratings.means().keySet(), session.enrichment().switches());
     session.perform(
-        RatingPlan.of(session.enrichment(), ratings, matching, true, RatingScale.BANDS).edit("Import ratings"));
+        RatingPlan.of(session.enrichment(), ratings, matching, true, RatingScale.BANDS)
+            .edit("Import ratings"));
     DiffDialog dialog = GuiRobot.onEdt(() -> new DiffDialog(null, session));
     hands.show(dialog);
     JList<?> lines = GuiRobot.named(dialog, "Changes of the file", JList.class);

@@ -43,8 +43,7 @@ class QualityLevelsMakerTest {
                 .make(
                     new QualityVersionsEdit.Request(
                         "Switch_Chest", List.of(50.0), List.of("flat"), List.of())));
-    Eventually.await(
-        "the levels", () -> EventThread.get(() -> session.document().revision() > 0));
+    Eventually.await("the levels", () -> EventThread.get(() -> session.document().revision() > 0));
     EnrichedSwitch chest = EventThread.get(() -> session.enrichment().switches().get(0));
     assertThat(chest.fields()).hasSize(2);
     assertThat(chest.fields().get(0).levels())
