@@ -7,7 +7,6 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -59,7 +58,7 @@ final class HeadLogFinder {
       } else if (Files.exists(path)) {
         all.put(key(path), found(path, true));
       } else {
-        throw new NoSuchFileException(path + ": the file does not exist");
+        throw new IOException(path + ": the file does not exist");
       }
       if (all.size() > MOST_LOGS) {
         throw new IOException(
