@@ -86,8 +86,12 @@ final class HeadLogFinder {
   private static List<Path> inFolder(Path folder) throws IOException {
     List<Path> tables = new ArrayList<>();
     try (Stream<Path> files = Files.walk(folder, DEPTH)) {
-      files
-          .limit(MOST_FILES)
+      List<Path> all = files.limit(MOST_FILES + 1L).toList();
+      if (all.size() > MOST_FILES) {
+        throw new IOException(
+            "%s: more than %d files; name a smaller folder".formatted(folder, MOST_FILES));
+      }
+      all.stream()
           .filter(file -> String.valueOf(file.getFileName()).endsWith(".csv"))
           .filter(file -> !PRACTICE.matcher(String.valueOf(file.getFileName())).matches())
           .filter(file -> Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS))
