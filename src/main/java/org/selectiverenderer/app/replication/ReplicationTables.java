@@ -67,7 +67,7 @@ final class ReplicationTables {
           row.n(),
           number(4, row.mean()),
           number(4, row.sd()),
-          number(2, row.distance()));
+          Double.isFinite(row.distance()) ? number(2, row.distance()) : "");
     }
     return csv.toString();
   }

@@ -135,7 +135,8 @@ public final class EnrichCommand extends CliCommand {
       throw CommandException.usage("--rating-scale needs --ratings or --from-logs");
     }
     if (scene == null) {
-      throw CommandException.usage("--apply, --ratings and --from-logs need a SCENE");
+      throw CommandException.usage(
+          "--apply, --ratings and --from-logs need a SCENE; name it first");
     }
     if (!dryRun.asked()) {
       OutputFile.check("--output", output, "");

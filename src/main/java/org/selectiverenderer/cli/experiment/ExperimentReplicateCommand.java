@@ -33,6 +33,9 @@ final class ExperimentReplicateCommand extends CliCommand {
   private static final int LEAST = 9;
   private static final int MOST = 3000;
 
+  /** The largest seed that a study file may have. */
+  private static final long MOST_SEED = 1L << 53;
+
   @Parameters(
       paramLabel = "DIR",
       description = "folder for all of it; it must not exist, or be empty")
@@ -73,6 +76,9 @@ final class ExperimentReplicateCommand extends CliCommand {
     if (participants < LEAST || participants > MOST) {
       throw CommandException.usage(
           "--participants must be a whole number from %d to %d".formatted(LEAST, MOST));
+    }
+    if (seed < 0 || seed > MOST_SEED) {
+      throw CommandException.usage("--seed must be a whole number from 0 to " + MOST_SEED);
     }
     Path shown = scene == null ? ExperimentNewCommand.usual() : scene;
     for (Path needed : List.of(shown, shown.resolveSibling("practice.x3d"))) {

@@ -80,9 +80,10 @@ final class StepChartRenderer {
 
   private void legend(ChartCanvas canvas) {
     double x = MARGIN;
+    double inside = WIDTH - 2.0 * MARGIN;
+    double most = Math.min(inside / 3 - 40, inside / chart.curves().size() - 56);
     for (int i = 0; i < chart.curves().size(); i++) {
-      String name =
-          fonts.label().fit(chart.curves().get(i).name(), (WIDTH - 2.0 * MARGIN) / 3 - 40);
+      String name = fonts.label().fit(chart.curves().get(i).name(), most);
       canvas.rectangle(x, 94, 20, LINE, COLOURS.get(i));
       canvas.text(name, x + 28, 100, fonts.label(), ChartColour.INK);
       x += 28 + fonts.label().width(name) + 28;

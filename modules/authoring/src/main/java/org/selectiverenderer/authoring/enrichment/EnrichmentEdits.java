@@ -1,7 +1,10 @@
 package org.selectiverenderer.authoring.enrichment;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Set;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.MFStringParser;
@@ -161,18 +164,23 @@ public final class EnrichmentEdits {
     }
     String name = "Remove the schema " + schema;
     List<TextEdit> changes = new ArrayList<>(all(name, switches, sensors).changes());
-    enrichment.switches().forEach(node -> changes.addAll(levelsWithout(node, schema)));
+    // Switches with the same metadata (USE) have the same levels, which change once.
+    Set<DocumentElement> done = Collections.newSetFromMap(new IdentityHashMap<>());
+    enrichment.switches().forEach(node -> changes.addAll(levelsWithout(node, schema, done)));
     return new Edit(name, changes);
   }
 
-  private List<TextEdit> levelsWithout(EnrichedSwitch node, String schema) {
+  private List<TextEdit> levelsWithout(
+      EnrichedSwitch node, String schema, Set<DocumentElement> done) {
     QualityEdits qualities = new QualityEdits(document);
     List<TextEdit> changes = new ArrayList<>();
     for (EnrichedField field : node.fields()) {
       for (int i = 0; i < field.levels().size(); i++) {
         ChoiceMetadata before = field.levels().get(i).metadata();
         ChoiceMetadata wanted = before.with(without(before.schemas(), schema));
-        changes.addAll(qualities.described(node, field, i, wanted));
+        if (done.add(field.levels().get(i).element())) {
+          changes.addAll(qualities.described(node, field, i, wanted));
+        }
       }
     }
     return changes;

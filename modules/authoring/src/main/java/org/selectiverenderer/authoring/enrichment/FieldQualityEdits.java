@@ -61,6 +61,7 @@ public final class FieldQualityEdits {
     }
     requireOwnSet(inner.get(), object);
     Optional<MetadataElement> known = qualities(inner.get());
+    known.ifPresent(set -> requireOwnSet(set, object));
     return known.isEmpty()
         ? List.of(layout.insertLast(inner.get().meant(), xml.qualities("value", wanted)))
         : into(known.get(), wanted, xml);

@@ -108,11 +108,11 @@ public final class QualityTargets {
 
   /** Returns a sentence about what is wrong with a reference; empty if nothing is. */
   public Optional<String> wrong(DocumentElement object, FieldReference target) {
-    if (imported(target.node())) {
-      return Optional.empty(); // its type is in another file
-    }
     if (node(object, target).isEmpty()) {
-      return Optional.of("No node of this file has the name " + target.node() + ".");
+      // The type of an imported node is in another file.
+      return imported(target.node())
+          ? Optional.empty()
+          : Optional.of("No node of this file has the name " + target.node() + ".");
     }
     return find(object, target).isPresent()
         ? Optional.empty()

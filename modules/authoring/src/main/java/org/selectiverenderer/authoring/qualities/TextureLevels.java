@@ -37,6 +37,9 @@ final class TextureLevels {
   private final ProblemCollector problems;
   private final Map<Path, PlannedFile> files = new HashMap<>();
 
+  /** The original of each planned picture. */
+  private final Map<Path, Path> originals = new HashMap<>();
+
   TextureLevels(
       SceneDocument document,
       NodeNaming names,
@@ -65,7 +68,7 @@ final class TextureLevels {
     Set<String> known = new HashSet<>();
     new FieldQualityEdits(document)
         .of(object).stream()
-            .flatMap(quality -> quality.levels().stream())
+            .flatMap(quality -> quality.levels().stream().skip(1)) // the first is the author's own
             .forEach(level -> known.addAll(level.values()));
     for (DocumentElement texture : names.own(object, "ImageTexture")) {
       List<String> written = texture.text("url").map(MFStringParser::strings).orElse(List.of());
@@ -81,8 +84,7 @@ final class TextureLevels {
       values.add(written);
       for (double percent : percents) {
         String url = smaller(picture, percent, known);
-        List<String> level = new ArrayList<>(List.of(url));
-        values.add(level);
+        values.add(List.of(url));
       }
       qualities.add(
           new FieldQuality(
@@ -123,6 +125,11 @@ final class TextureLevels {
         picture.resolveSibling(
             base + "_" + number.replaceFirst("\\.0$", "") + (jpeg ? ending : ".png"));
     String url = UrlRelativizer.between(folder, to);
+    Path original = originals.putIfAbsent(to, picture);
+    if (original != null && !original.equals(picture)) {
+      throw new IOException(
+          "%s and %s would both become %s; rename one of them".formatted(original, picture, to));
+    }
     if (!files.containsKey(to)) {
       byte[] content = scaler.scaled(picture, percent);
       boolean there = Files.exists(to, LinkOption.NOFOLLOW_LINKS);

@@ -46,11 +46,12 @@ final class AttentionReader {
   static Map<GazeArea, Map<String, ObjectAttention>> of(HeadLog log) {
     AttentionReader reader = new AttentionReader(log);
     AreaTimeline timeline = new AreaTimeline(log);
+    List<List<GazeArea>> where = log.samples().stream().map(timeline::of).toList();
     Set<GazeArea> areas = new LinkedHashSet<>();
-    log.samples().forEach(sample -> areas.addAll(timeline.of(sample)));
+    where.forEach(areas::addAll);
     Map<GazeArea, Map<String, ObjectAttention>> all = new LinkedHashMap<>();
     for (GazeArea area : areas) {
-      HeadLog there = log.where(i -> timeline.of(log.samples().get(i)).contains(area));
+      HeadLog there = log.where(i -> where.get(i).contains(area));
       all.put(area, reader.area(there));
     }
     return all;

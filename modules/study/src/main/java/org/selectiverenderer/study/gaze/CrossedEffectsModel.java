@@ -160,6 +160,12 @@ final class CrossedEffectsModel {
   }
 
   private static RealMatrix inverse(double[][] symmetric) {
+    // Both halves are rounded differently; the decomposition rejects what is not symmetric.
+    for (int i = 0; i < symmetric.length; i++) {
+      for (int j = 0; j < i; j++) {
+        symmetric[i][j] = symmetric[j][i];
+      }
+    }
     return new CholeskyDecomposition(new Array2DRowRealMatrix(symmetric, false), 1e-6, 1e-14)
         .getSolver()
         .getInverse();

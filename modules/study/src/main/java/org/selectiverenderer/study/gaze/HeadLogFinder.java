@@ -7,7 +7,6 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -59,7 +58,7 @@ final class HeadLogFinder {
       } else if (Files.exists(path)) {
         all.put(key(path), found(path, true));
       } else {
-        throw new NoSuchFileException(path + ": the file does not exist");
+        throw new IOException(path + ": the file does not exist");
       }
       if (all.size() > MOST_LOGS) {
         throw new IOException(
@@ -87,8 +86,12 @@ final class HeadLogFinder {
   private static List<Path> inFolder(Path folder) throws IOException {
     List<Path> tables = new ArrayList<>();
     try (Stream<Path> files = Files.walk(folder, DEPTH)) {
-      files
-          .limit(MOST_FILES)
+      List<Path> all = files.limit(MOST_FILES + 1L).toList();
+      if (all.size() > MOST_FILES) {
+        throw new IOException(
+            "%s: more than %d files; name a smaller folder".formatted(folder, MOST_FILES));
+      }
+      all.stream()
           .filter(file -> String.valueOf(file.getFileName()).endsWith(".csv"))
           .filter(file -> !PRACTICE.matcher(String.valueOf(file.getFileName())).matches())
           .filter(file -> Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS))

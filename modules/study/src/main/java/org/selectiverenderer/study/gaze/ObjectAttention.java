@@ -7,8 +7,8 @@ package org.selectiverenderer.study.gaze;
  * @param solidAngle integral of its solid angle over that time, in steradians times seconds; that
  *     time itself where the log does not tell where objects are
  * @param waited seconds in view until the first look, or to the end where there was none
- * @param found number of visits to the area in which it was looked at; 0 where the time until the
- *     first look is censored
+ * @param found number of recordings in which it was looked at; 0 where the time until the first
+ *     look is censored
  * @param dwell seconds in which it was looked at
  * @param looks number of looks at it
  * @param fixations number of fixations of the eyes; of looks in a log without gaze data

@@ -42,7 +42,8 @@ public final class ViewingData {
    * @param paths files of logs, and folders that hold some; a session's or a study's, for instance
    * @param scene file name of the scene; logs of others are left out, except where the path names
    *     the file of the log itself
-   * @param problems receives what is wrong with logs, which are then left out
+   * @param problems receives what is wrong with logs; a row with a fault is left out, or the whole
+   *     log where it cannot be read
    * @throws IOException if a path does not exist, cannot be read, or holds no logs
    */
   public static ViewingData read(List<Path> paths, String scene, ProblemCollector problems)
@@ -50,7 +51,10 @@ public final class ViewingData {
     ViewingData data = new ViewingData();
     Set<String> others = new TreeSet<>();
     for (HeadLogFinder.Found found : HeadLogFinder.find(paths)) {
-      Optional<HeadLog> log = HeadLogReader.read(found.file(), problems);
+      // Of its own, since a reader does not tell of an empty log where there are problems already.
+      ProblemCollector own = new ProblemCollector();
+      Optional<HeadLog> log = HeadLogReader.read(found.file(), own);
+      own.list().forEach(problems::add);
       if (log.isEmpty()) {
         continue;
       }

@@ -1,7 +1,10 @@
 package org.selectiverenderer.validation.enrichment;
 
 import java.util.EnumSet;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -40,28 +43,49 @@ final class FieldQualityCheck implements EnrichedSceneCheck {
 
   @Override
   public void check(EnrichedScene scene, FindingCollector findings) {
+    Map<FileOutline, Map<String, ParsedNode>> names = new IdentityHashMap<>();
     for (ParsedNode node : scene.nodes()) {
       if (EnrichedScene.isObject(node)) {
         NodeViewMetadata.of(node)
             .filter(metadata -> metadata.metadata().isPresent())
-            .ifPresent(metadata -> check(metadata, scene.file(node), findings));
+            .ifPresent(metadata -> check(metadata, scene.file(node), names, findings));
       }
     }
   }
 
-  private void check(NodeViewMetadata metadata, FileOutline file, FindingCollector findings) {
+  private void check(
+      NodeViewMetadata metadata,
+      FileOutline file,
+      Map<FileOutline, Map<String, ParsedNode>> names,
+      FindingCollector findings) {
     SchemaReader reader = new SchemaReader(problem -> report(problem, file, findings));
     for (FieldQuality quality : reader.fieldQualities(metadata)) {
       NodeViewMetadata set = setOf(metadata, quality.target()).orElse(metadata);
-      check(quality, set, file, findings);
+      Map<String, ParsedNode> named = names.computeIfAbsent(file, FieldQualityCheck::byName);
+      Optional<ParsedNode> node = Optional.ofNullable(named.get(quality.target().node()));
+      check(quality, node, set, file, findings);
     }
   }
 
+  /** Returns the first node of each DEF name. */
+  private static Map<String, ParsedNode> byName(FileOutline file) {
+    Map<String, ParsedNode> nodes = new HashMap<>();
+    for (ParsedNode node : file.nodes()) {
+      String name = node.name();
+      if (name != null) {
+        nodes.putIfAbsent(name, node);
+      }
+    }
+    return nodes;
+  }
+
   private void check(
-      FieldQuality quality, NodeViewMetadata set, FileOutline file, FindingCollector findings) {
+      FieldQuality quality,
+      Optional<ParsedNode> node,
+      NodeViewMetadata set,
+      FileOutline file,
+      FindingCollector findings) {
     FieldReference target = quality.target();
-    Optional<ParsedNode> node =
-        file.nodes().stream().filter(each -> target.node().equals(each.name())).findFirst();
     if (node.isEmpty()) {
       boolean imported =
           file.scene().imports().stream().anyMatch(each -> each.as().equals(target.node()));

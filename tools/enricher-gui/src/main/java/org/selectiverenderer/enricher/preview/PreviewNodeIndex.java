@@ -210,6 +210,11 @@ final class PreviewNodeIndex {
     return List.copyOf(all);
   }
 
+  /** Returns whether a node is one of {@link #all()}. */
+  boolean contains(Node node) {
+    return all.contains(node);
+  }
+
   /** Returns the TimeSensors of the scene, which may be in fields of prototypes too. */
   List<TimeSensorNode> timeSensors() {
     return timeSensors;

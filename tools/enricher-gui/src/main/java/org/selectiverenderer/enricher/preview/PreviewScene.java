@@ -72,7 +72,7 @@ final class PreviewScene implements AutoCloseable {
 
   /** Finds a node by the name that qualities of an object of the document name it by. */
   private Optional<Node> named(SwitchNode object, String name) {
-    return nodes.all().contains(object) ? world.scene().find(name) : Optional.empty();
+    return nodes.contains(object) ? world.scene().find(name) : Optional.empty();
   }
 
   World world() {
