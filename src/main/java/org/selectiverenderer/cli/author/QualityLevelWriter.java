@@ -7,16 +7,16 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.selectiverenderer.authoring.EditRejectedException;
+import org.selectiverenderer.authoring.UndoableFileWrite;
+import org.selectiverenderer.authoring.UndoableFileWrites;
 import org.selectiverenderer.authoring.file.DocumentFile;
 import org.selectiverenderer.authoring.qualities.QualityVersionsEdit;
 import org.selectiverenderer.authoring.versions.ChangePreview;
 import org.selectiverenderer.authoring.versions.PlannedFile;
-import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
-import org.selectiverenderer.command.output.UndeletedFilesWarning;
 import org.selectiverenderer.schema.FieldQuality;
 import org.selectiverenderer.swing.PictureReducer;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -55,15 +55,14 @@ record QualityLevelWriter(Console console, boolean dry, Path scene, Path output)
       ChangePreview.of(plan.edit(), file.document().snapshot().text()).forEach(this::print);
       return ExitStatus.of(problems);
     }
-    FileTransaction pictures = new FileTransaction();
-    for (PlannedFile picture : plan.files()) {
-      if (picture.state() == PlannedFile.State.NEW) {
-        pictures.addNew(picture.file(), picture.content());
-      } else if (picture.state() == PlannedFile.State.CHANGED) {
-        pictures.add(picture.file(), picture.content());
-      }
-    }
-    UndeletedFilesWarning.tell(pictures.commit(), console);
+    UndoableFileWrites.write(
+        plan.files().stream()
+            .filter(picture -> picture.state() != PlannedFile.State.UNCHANGED)
+            .map(
+                picture ->
+                    new UndoableFileWrite(picture.file(), picture.content(), picture.byHand()))
+            .toList(),
+        () -> {});
     boolean changes = !plan.edit().isEmpty();
     file.document().perform(plan.edit());
     if (!output.equals(scene)) {

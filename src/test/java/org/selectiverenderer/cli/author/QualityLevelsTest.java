@@ -6,6 +6,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -117,6 +118,19 @@ class QualityLevelsTest {
         .contains(
             "name='value' value='\"wood.png\" \"https://example.org/wood.png\"'",
             "name='value' value='\"wood_50.png\"'");
+  }
+
+  @Test
+  void aSmallerPictureThatWasPaintedOverIsKeptBeside() throws IOException {
+    write(SOFA);
+    versions("--object", "Sofa", "--texture-percent", "50");
+    Path smaller = folder.resolve("wood_50.png");
+    Files.copy(folder.resolve("wood.png"), smaller, StandardCopyOption.REPLACE_EXISTING);
+    byte[] painted = Files.readAllBytes(smaller);
+    assertThat(versions("--object", "Switch_Sofa", "--texture-percent", "50")).as(err).isZero();
+    assertThat(out).contains("changed  ");
+    assertThat(Files.readAllBytes(folder.resolve("wood_50.png.bak"))).isEqualTo(painted);
+    assertThat(image("wood_50.png").getWidth()).isEqualTo(20);
   }
 
   @Test

@@ -54,7 +54,11 @@ public final class TexturePictureReader {
   private static Optional<TexturePicture> pixels(ParsedNode texture) {
     @Nullable Object value =
         texture.type().field("image").map(field -> texture.value(field.index())).orElse(null);
-    return value instanceof int[] image && image.length > 2 && image[0] > 0 && image[1] > 0
+    return value instanceof int[] image
+            && image.length > 2
+            && image[0] > 0
+            && image[1] > 0
+            && (long) image[0] * image[1] <= image.length - 3 // a damaged one is not drawn
         ? Optional.of(
             new TexturePicture(texture, new PictureSize(image[0], image[1]).textureBytes()))
         : Optional.empty();

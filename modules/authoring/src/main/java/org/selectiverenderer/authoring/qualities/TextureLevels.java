@@ -146,7 +146,7 @@ final class TextureLevels {
               same
                   ? PlannedFile.State.UNCHANGED
                   : there ? PlannedFile.State.CHANGED : PlannedFile.State.NEW,
-              false));
+              there && !same)); // it may have been painted over
     }
     return url;
   }

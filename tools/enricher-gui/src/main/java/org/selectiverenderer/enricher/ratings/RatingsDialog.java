@@ -63,6 +63,7 @@ public final class RatingsDialog extends JDialog {
   private final JList<String> problems = PlainText.entries(new JList<>());
   private final JButton proposals = Mnemonics.button("ratings.proposals");
   private final JButton apply = new JButton(Texts.of("ratings.apply"));
+  private boolean closed;
 
   public RatingsDialog(Window owner, EnricherSession session) {
     super(owner, Texts.of("ratings.title"), ModalityType.DOCUMENT_MODAL);
@@ -272,7 +273,17 @@ public final class RatingsDialog extends JDialog {
     setLocation(getX(), Math.max(screen.y + bars.top, Math.min(getY(), lowest)));
   }
 
+  /** Closes the dialog; what is still being read is not shown any more. */
+  @Override
+  public void dispose() {
+    closed = true;
+    super.dispose();
+  }
+
   private void refresh() {
+    if (closed) {
+      return;
+    }
     renewProposals();
     if (!gaze.isVisible() && !model.gaze().proposals().isEmpty()) {
       showProposals();
