@@ -134,7 +134,7 @@ public record ShaderVariant(
 
   private List<@Nullable Object> parts() {
     return Arrays.asList(
-        lit, specular, byVertex, colors, texture, tint, glow, alphaTest, twoSided, points, blended,
-        tinted, detail);
+        lit, specular, byVertex, flat, colors, texture, tint, glow, alphaTest, twoSided, points,
+        blended, tinted, detail);
   }
 }
