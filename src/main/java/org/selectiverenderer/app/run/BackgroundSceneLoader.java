@@ -31,7 +31,9 @@ final class BackgroundSceneLoader implements AutoCloseable {
             listener::happened,
             listener::printed);
     try {
-      walk.observeSwitches();
+      if (listener.observesSwitches()) {
+        walk.observeSwitches();
+      }
       listener.opened();
       return walk;
     } catch (IOException | RuntimeException | Error e) {

@@ -36,6 +36,14 @@ public interface RunListener {
   void happened(TimelineEvent event);
 
   /**
+   * Returns whether the events are to tell what the viewer sees of each change of a version, for
+   * which rays are cast.
+   */
+  default boolean observesSwitches() {
+    return true;
+  }
+
+  /**
    * Reports that a frame was stepped.
    *
    * @param t seconds since the start of the walkthrough

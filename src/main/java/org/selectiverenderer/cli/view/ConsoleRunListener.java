@@ -14,6 +14,7 @@ import org.selectiverenderer.walkthrough.timeline.TimelineEvent;
  *
  * @param timeline receives the time line
  * @param samples receives the head log's sample of every frame
+ * @param observesSwitches whether the time line tells what the viewer sees of each change
  * @param begun called when the scene has been read, before the first frame
  * @param frames receives the polygons of every frame
  */
@@ -21,6 +22,7 @@ public record ConsoleRunListener(
     Console console,
     Consumer<TimelineEvent> timeline,
     Optional<HeadSampleListener> samples,
+    boolean observesSwitches,
     Beginning begun,
     Frames frames)
     implements RunListener {
@@ -45,14 +47,18 @@ public record ConsoleRunListener(
       Console console,
       Consumer<TimelineEvent> timeline,
       Optional<HeadSampleListener> samples,
+      boolean observesSwitches,
       Beginning begun) {
-    this(console, timeline, samples, begun, (t, polygons) -> {});
+    this(console, timeline, samples, observesSwitches, begun, (t, polygons) -> {});
   }
 
-  /** Creates a listener without an action before the first frame. */
+  /**
+   * Creates a listener without an action before the first frame, whose time line does not tell what
+   * the viewer sees of changes.
+   */
   public ConsoleRunListener(
       Console console, Consumer<TimelineEvent> timeline, Optional<HeadSampleListener> samples) {
-    this(console, timeline, samples, () -> {});
+    this(console, timeline, samples, false, () -> {});
   }
 
   /** Creates a listener without a receiver of samples. */

@@ -297,6 +297,7 @@ public final class RunCommand extends CliCommand {
               console(),
               written.andThen(streams::happened),
               streams.samples(),
+              file != null || streams.samples().isPresent(),
               () -> {
                 begun.begin();
                 if (file != null) {

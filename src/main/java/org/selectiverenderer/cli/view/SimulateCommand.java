@@ -137,8 +137,9 @@ public final class SimulateCommand extends CliCommand {
         : DisplaySettings.WINDOW.sized(size.width(), size.height());
   }
 
-  private TimelineText text() {
-    return new TimelineText(!change.transition().equals(SwitchTransition.AT_ONCE));
+  /** Returns whether the text tells what the viewer sees of changes; JSON always does. */
+  private boolean sights() {
+    return !change.transition().equals(SwitchTransition.AT_ONCE);
   }
 
   private ExitStatus simulate(FileArguments files, List<Path> all, CameraPath walked)
@@ -167,7 +168,8 @@ public final class SimulateCommand extends CliCommand {
 
   private ExitStatus simulate(Path scene, CameraPath walked, TimelineJson json, Console to)
       throws IOException, InterruptedException {
-    Function<TimelineEvent, String> text = format.json() ? json::line : text()::line;
+    Function<TimelineEvent, String> text =
+        format.json() ? json::line : new TimelineText(sights())::line;
     RunSettings settings =
         new RunSettings(
                 scene,
@@ -182,6 +184,7 @@ public final class SimulateCommand extends CliCommand {
                 to,
                 event -> to.line(text.apply(event)),
                 Optional.empty(),
+                format.json() || sights(),
                 () -> {},
                 (t, polygons) -> curve.stepped(scene, t, polygons)));
     return result.problems() ? ExitStatus.PROBLEMS : ExitStatus.DONE;

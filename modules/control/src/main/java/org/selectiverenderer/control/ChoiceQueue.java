@@ -50,6 +50,9 @@ final class ChoiceQueue {
    * @param time time stamp in seconds
    */
   void showDue(double time) {
+    if (waiting.isEmpty()) {
+      return;
+    }
     Iterator<Map.Entry<ControlledChoice, Wanted>> all = waiting.entrySet().iterator();
     Map<ControlledChoice, Wanted> due = new LinkedHashMap<>();
     while (all.hasNext()) {

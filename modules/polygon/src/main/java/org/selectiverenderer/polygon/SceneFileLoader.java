@@ -123,7 +123,8 @@ final class SceneFileLoader {
   }
 
   private BiFunction<ParsedNode, List<String>, Optional<TexturePicture>> pictures(BaseUrl from) {
-    return (texture, urls) -> pictures.picture(texture, urls, from);
+    TexturePictureReader sizes = pictures; // Kept files must not keep this loader with its scene.
+    return (texture, urls) -> sizes.picture(texture, urls, from);
   }
 
   private interface Loading<T> {

@@ -26,6 +26,10 @@ final class FieldQualityReader {
   }
 
   List<FieldQuality> read(MetadataNode ofSwitch) {
+    List<? extends MetadataNode> sets = sets(ofSwitch);
+    if (sets.isEmpty()) {
+      return List.of(); // as most objects have none
+    }
     List<FieldQuality> qualities = new ArrayList<>();
     Set<FieldReference> taken = new HashSet<>();
     List<VersionMetadata> versions =
@@ -33,7 +37,7 @@ final class FieldQualityReader {
             .switchNode(ofSwitch, Integer.MAX_VALUE)
             .map(SwitchSchemas::choices)
             .orElse(List.of());
-    for (MetadataNode set : sets(ofSwitch)) {
+    for (MetadataNode set : sets) {
       Optional<FieldReference> target = target(set);
       Optional<Quality> quality = quality(set);
       if (target.isEmpty() || quality.isEmpty()) {

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
@@ -99,7 +100,7 @@ public final class VersionComparison {
       }
       double time = way.start();
       for (ThesisFrame frame : compared) {
-        progress.accept("pictures at %.1f s".formatted(frame.time()));
+        progress.accept(String.format(Locale.ROOT, "pictures at %.1f s", frame.time()));
         while (time < frame.time() - 1e-9) {
           time = Math.min(frame.time(), time + 1 / RATE);
           live.step(time);

@@ -7,9 +7,11 @@ package org.selectiverenderer.control.budget;
  * <p>It assumes only that more triangles take longer. The times are smoothed over about ten frames,
  * and after each change it waits until the smoothed time is that of the new triangles. It changes
  * by the square root of the ratio of goal and time, which converges without swinging even where the
- * time grows with the square of the triangles, and by a tenth at most when it lets them grow. It
- * aims a twentieth below the goal, and leaves alone what is less than a tenth below. One frame that
- * takes very long, as when a file arrives, counts as four times the goal at most.
+ * time grows with the square of the triangles, and by a tenth at most when it lets them grow. Where
+ * the next larger version has more than a tenth of all triangles, several such changes add up until
+ * it fits, as far as the ratio promises that its frames will take less than the goal. It aims a
+ * twentieth below the goal, and leaves alone what is less than a tenth below. One frame that takes
+ * very long, as when a file arrives, counts as four times the goal at most.
  *
  * <p>Not thread-safe.
  */
@@ -49,8 +51,10 @@ public final class FrameTimeRegulator {
     }
     double ratio = Math.sqrt(AIM * goal / smoothed);
     // What may be shown beyond what there is has no effect, and would have to be taken back first.
-    double from = Math.min(triangles, shown);
-    triangles = from * Math.max(MOST_DOWN, Math.min(MOST_UP, ratio));
+    triangles =
+        ratio > 1
+            ? Math.min(Math.max(triangles, shown) * MOST_UP, shown * ratio)
+            : Math.min(triangles, shown) * Math.max(MOST_DOWN, ratio);
     frames = 0;
   }
 

@@ -11,6 +11,8 @@ class FrameTimeRegulatorTest {
   private static final long LEAST = 1_000;
   private static final long MOST = 1_000_000;
   private static final double GOAL = 10;
+  private static final long SMALL = 20_000;
+  private static final long LARGE = 40_000;
 
   private final Random random = new Random(3);
 
@@ -51,6 +53,32 @@ class FrameTimeRegulatorTest {
     regulator.frame(5000, settled);
     run(regulator, 600, triangles -> 2 + triangles * 4e-5);
     assertThat(regulator.triangles(LEAST, MOST)).isBetween(settled * 85 / 100, settled * 11 / 10);
+  }
+
+  @Test
+  void aLargeVersionComesBackWhenItFits() {
+    FrameTimeRegulator regulator = new FrameTimeRegulator(GOAL);
+    assertThat(shown(regulator, 300, 1.5e-3)).isEqualTo(SMALL);
+    assertThat(shown(regulator, 600, 1e-4)).isEqualTo(LARGE);
+  }
+
+  @Test
+  void aLargeVersionThatDoesNotFitIsNotTriedAgainAndAgain() {
+    FrameTimeRegulator regulator = new FrameTimeRegulator(GOAL);
+    shown(regulator, 600, 3e-4);
+    for (int frame = 0; frame < 300; frame++) {
+      assertThat(shown(regulator, 1, 3e-4)).isEqualTo(SMALL);
+    }
+  }
+
+  /** Returns the triangles of the last frame of an object of two versions. */
+  private static long shown(FrameTimeRegulator regulator, int frames, double msPerTriangle) {
+    long shown = 0;
+    for (int frame = 0; frame < frames; frame++) {
+      shown = regulator.triangles(LEAST, MOST) < LARGE ? SMALL : LARGE;
+      regulator.frame(shown * msPerTriangle, shown);
+    }
+    return shown;
   }
 
   private long settled(DoubleUnaryOperator machine) {

@@ -85,24 +85,25 @@ final class SurfaceSamples {
 
   private static double area(ShapeInstance shape) {
     Mesh mesh = shape.mesh().orElseThrow();
+    int[] indices = mesh.indices();
     double sum = 0;
     for (int t = 0; t < mesh.polygons(); t++) {
-      sum += triangle(shape, mesh, t).area().length();
+      sum += triangle(shape, mesh, indices, t).area().length();
     }
     return sum;
   }
 
   /** Returns the middle of a triangle as a point that stands for the whole of it. */
-  private static Sample triangle(ShapeInstance shape, Mesh mesh, int t) {
-    Vector3d a = corner(mesh, 3 * t);
-    Vector3d b = corner(mesh, 3 * t + 1).sub(a);
-    Vector3d c = corner(mesh, 3 * t + 2).sub(a);
+  private static Sample triangle(ShapeInstance shape, Mesh mesh, int[] indices, int t) {
+    Vector3d a = corner(mesh, indices[3 * t]);
+    Vector3d b = corner(mesh, indices[3 * t + 1]).sub(a);
+    Vector3d c = corner(mesh, indices[3 * t + 2]).sub(a);
     Vector3d middle = new Vector3d(a).fma(1 / 3.0, b).fma(1 / 3.0, c);
     return new Sample(shape, mesh, middle, new Vector3d[] {b, c});
   }
 
-  private static Vector3d corner(Mesh mesh, int index) {
-    int at = 3 * mesh.indices()[index];
+  private static Vector3d corner(Mesh mesh, int vertex) {
+    int at = 3 * vertex;
     float[] all = mesh.positions();
     return new Vector3d(all[at], all[at + 1], all[at + 2]);
   }
@@ -116,9 +117,10 @@ final class SurfaceSamples {
    */
   private static double spread(
       ShapeInstance shape, Mesh mesh, double before, double share, List<Sample> to) {
+    int[] indices = mesh.indices();
     double sum = before;
     for (int t = 0; t < mesh.polygons(); t++) {
-      Sample whole = triangle(shape, mesh, t);
+      Sample whole = triangle(shape, mesh, indices, t);
       double area = whole.area().length();
       long first = Math.round(sum / share);
       sum += area;
@@ -130,7 +132,8 @@ final class SurfaceSamples {
           u = 1 - u;
           v = 1 - v;
         }
-        Vector3d at = corner(mesh, 3 * t).fma(u, whole.edges()[0]).fma(v, whole.edges()[1]);
+        Vector3d at =
+            corner(mesh, indices[3 * t]).fma(u, whole.edges()[0]).fma(v, whole.edges()[1]);
         Vector3d scaled = new Vector3d(whole.edges()[0]).mul(share / area);
         to.add(new Sample(shape, mesh, at, new Vector3d[] {scaled, whole.edges()[1]}));
       }
@@ -140,10 +143,11 @@ final class SurfaceSamples {
 
   /** Adds corners of lines or of a point set, which have no area. */
   private static void corners(ShapeInstance shape, Mesh mesh, List<Sample> to) {
-    int all = mesh.indices().length;
+    int[] indices = mesh.indices();
+    int all = indices.length;
     int count = Math.min(COUNT, all);
     for (int n = 0; n < count; n++) {
-      Vector3d at = corner(mesh, (int) ((long) n * all / count));
+      Vector3d at = corner(mesh, indices[(int) ((long) n * all / count)]);
       to.add(new Sample(shape, mesh, at, new Vector3d[] {new Vector3d(), new Vector3d()}));
     }
   }

@@ -65,6 +65,7 @@ final class VisibilityEstimator {
   private final World world;
   private final Map<Instance, List<SurfaceSamples.Sample>> known = new IdentityHashMap<>();
   private @Nullable InstanceTree tree;
+  private long structure;
   private @Nullable RayCaster caster;
   private int rays;
 
@@ -101,7 +102,9 @@ final class VisibilityEstimator {
           return Optional.empty();
         }
         Estimate one = view.look(samples(group, shown), samples(group, other), exactly);
-        all = new Estimate(all.visible || one.visible, Math.max(all.pixels, one.pixels));
+        // A point that is very near stands for more pixels than there are.
+        double pixels = Math.min(one.pixels, (double) eye.width() * eye.height());
+        all = new Estimate(all.visible || one.visible, Math.max(all.pixels, pixels));
         if (all.visible && !exactly) {
           return Optional.of(all);
         }
@@ -117,6 +120,10 @@ final class VisibilityEstimator {
       caster = new RayCaster(now, world.meshes());
       known.clear();
     }
+    if (structure != now.structureVersion()) {
+      structure = now.structureVersion();
+      known.clear(); // Versions may have got other shapes, such as those of an Inline.
+    }
     return now;
   }
 
@@ -126,7 +133,9 @@ final class VisibilityEstimator {
     }
     Instance child = group.children().get(version);
     List<SurfaceSamples.Sample> samples = known.get(child);
-    if (samples == null || !samples.stream().allMatch(SurfaceSamples.Sample::current)) {
+    if (samples == null
+        || samples.isEmpty() // Its meshes may have come meanwhile.
+        || !samples.stream().allMatch(SurfaceSamples.Sample::current)) {
       samples = SurfaceSamples.of(child);
       known.put(child, samples);
     }

@@ -22,6 +22,9 @@ public final class TimeSensorNode extends TimeDependentNode {
   /** The tick of the last fraction that was sent. */
   private double sent = Double.NaN;
 
+  /** The seconds since the start at the last frame. */
+  private double before;
+
   private final int cycleInterval;
   private final int cycleTime;
   private final int fraction;
@@ -61,6 +64,10 @@ public final class TimeSensorNode extends TimeDependentNode {
     if (rate == Double.POSITIVE_INFINITY || !(rate >= 0)) {
       return true;
     }
+    if (elapsed < before) {
+      sent = Double.NaN; // It has started anew.
+    }
+    before = elapsed;
     double tick = Math.floor(elapsed * rate);
     boolean due = rate > 0 && (tick != sent || part == 1); // The end is to be where it belongs.
     sent = tick;
