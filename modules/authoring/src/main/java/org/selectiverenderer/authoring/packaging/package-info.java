@@ -5,8 +5,8 @@
  *
  * <p>In: a scene, and what it may read ({@code x3d.url}). Out: files with their places, urls that
  * are left out with the reason, files. Nothing is fetched from the network, and nothing outside of
- * the target is written. Uses {@code authoring}, {@code base.files}, {@code schema}, {@code x3d.catalogue}, {@code
- * x3d.model}, {@code x3d.read}, {@code x3d.source} and {@code x3d.url}.
+ * the target is written. Uses {@code authoring}, {@code base.files}, {@code schema}, {@code
+ * x3d.catalogue}, {@code x3d.model}, {@code x3d.read}, {@code x3d.source} and {@code x3d.url}.
  */
 @NullMarked
 package org.selectiverenderer.authoring.packaging;

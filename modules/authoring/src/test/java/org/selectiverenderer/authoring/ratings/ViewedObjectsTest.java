@@ -52,8 +52,7 @@ class ViewedObjectsTest {
   @Test
   void areasAreNamedBySchemasOfTheSceneAndTheTableElseAfterThePlace() {
     EnrichmentScenes scene = EnrichmentScenes.with(object("Cup", 2) + SENSORS);
-    ViewedObjects objects =
-        objects(scene, ratings("cup,DeskSchema,2\ncup,\"Living Room\",4\n"));
+    ViewedObjects objects = objects(scene, ratings("cup,DeskSchema,2\ncup,\"Living Room\",4\n"));
     assertThat(objects.schema("Anything", true)).isEqualTo("Anything");
     assertThat(objects.schema("DeskProx", false)).isEqualTo("DeskSchema");
     assertThat(objects.schema("livingRoom", false)).isEqualTo("Living Room");
@@ -122,7 +121,10 @@ class ViewedObjectsTest {
     ObjectNameMatcher switches =
         new ObjectNameMatcher(accepted.means().keySet(), scene.enrichment.switches());
     List<ChoiceMetadata> choices =
-        RatingPlan.of(scene.enrichment, accepted, switches, false, RatingScale.BANDS).rows().get(0).choices();
+        RatingPlan.of(scene.enrichment, accepted, switches, false, RatingScale.BANDS)
+            .rows()
+            .get(0)
+            .choices();
     for (int i = 0; i < choices.size(); i++) {
       if (!choices.get(i).isEmpty()) {
         assertThat(choices.get(i).type())
