@@ -90,7 +90,8 @@ final class ControlledField implements ControlledChoice {
     }
     if (!SaiFieldValue.supports(field)) {
       problem.accept(
-          what.get() + " cannot be chosen: the field is not of type " + SaiFieldValue.TYPES);
+          "%s cannot be chosen: the field is of none of the types %s"
+              .formatted(what.get(), String.join(", ", FieldQuality.TYPES)));
       return Optional.empty();
     }
     List<SaiFieldValue> values = new ArrayList<>();

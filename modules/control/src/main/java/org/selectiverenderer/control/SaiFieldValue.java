@@ -21,11 +21,6 @@ import org.web3d.x3d.sai.X3DField;
 
 /** A value that can be written into one field, and compared with what the field has. */
 abstract class SaiFieldValue {
-  /** The types of fields whose values metadata can hold, for messages. */
-  static final String TYPES =
-      "SFBool, SFInt32, SFFloat, SFDouble, SFTime, SFString, SFColor, MFString, MFInt32, MFFloat"
-          + " or MFDouble";
-
   private SaiFieldValue() {}
 
   /** Returns whether a field is of a type that has values here. */

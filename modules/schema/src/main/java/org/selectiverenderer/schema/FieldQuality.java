@@ -15,6 +15,21 @@ public record FieldQuality(Quality quality, FieldReference target, List<FieldLev
   /** The name of the MetadataSet with an object's field qualities. */
   public static final String SET = "fieldQualities";
 
+  /** The types of fields whose values metadata can hold, as X3D spells them. */
+  public static final List<String> TYPES =
+      List.of(
+          "SFBool",
+          "SFInt32",
+          "SFFloat",
+          "SFDouble",
+          "SFTime",
+          "SFString",
+          "SFColor",
+          "MFString",
+          "MFInt32",
+          "MFFloat",
+          "MFDouble");
+
   /** Makes a defensive copy of the list. */
   public FieldQuality {
     levels = List.copyOf(levels);

@@ -1,15 +1,14 @@
 package org.selectiverenderer.authoring.enrichment;
 
 import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.Set;
 import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.routes.EventField;
 import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.schema.FieldQuality;
 import org.selectiverenderer.schema.FieldReference;
 import org.selectiverenderer.schema.Quality;
 import org.selectiverenderer.schema.SchemaField;
@@ -29,20 +28,6 @@ import org.selectiverenderer.x3d.write.FieldValueFormatter;
  */
 public final class QualityTargets {
   /** The types that the controller writes from metadata. */
-  private static final Set<FieldType> TYPES =
-      EnumSet.of(
-          FieldType.SFBool,
-          FieldType.SFInt32,
-          FieldType.SFFloat,
-          FieldType.SFDouble,
-          FieldType.SFTime,
-          FieldType.SFString,
-          FieldType.SFColor,
-          FieldType.MFString,
-          FieldType.MFInt32,
-          FieldType.MFFloat,
-          FieldType.MFDouble);
-
   private final SceneDocument document;
   private final NodeCatalogue catalogue;
 
@@ -86,7 +71,7 @@ public final class QualityTargets {
     }
     return EventField.of(node, catalogue).stream()
         .filter(field -> field.access() == AccessType.INPUT_OUTPUT)
-        .filter(field -> TYPES.contains(field.type()))
+        .filter(field -> FieldQuality.TYPES.contains(field.type().name()))
         .filter(field -> !metadata || field.name().equals("value"))
         .filter(field -> !(node.name().equals("Switch") && field.name().equals("whichChoice")))
         .toList();

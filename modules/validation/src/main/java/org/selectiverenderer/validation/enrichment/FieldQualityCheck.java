@@ -1,12 +1,10 @@
 package org.selectiverenderer.validation.enrichment;
 
-import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.selectiverenderer.polygon.metadata.NodeViewMetadata;
@@ -25,20 +23,6 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 /** Checks the field qualities of each Switch against the nodes of its file. */
 final class FieldQualityCheck implements EnrichedSceneCheck {
   /** The types that the controller sets. */
-  private static final Set<FieldType> TYPES =
-      EnumSet.of(
-          FieldType.SFBool,
-          FieldType.SFInt32,
-          FieldType.SFFloat,
-          FieldType.SFDouble,
-          FieldType.SFTime,
-          FieldType.SFString,
-          FieldType.SFColor,
-          FieldType.MFString,
-          FieldType.MFInt32,
-          FieldType.MFFloat,
-          FieldType.MFDouble);
-
   private final FieldParser parser = new FieldParser();
 
   @Override
@@ -101,7 +85,7 @@ final class FieldQualityCheck implements EnrichedSceneCheck {
           file,
           "%s has no inputOutput field %s".formatted(node.get().type().name(), target.field()),
           findings);
-    } else if (!TYPES.contains(field.get().type())) {
+    } else if (!FieldQuality.TYPES.contains(field.get().type().name())) {
       noField(set, file, "metadata hold no value of type " + field.get().type(), findings);
     } else {
       values(quality, field.get().type(), set, file, findings);
