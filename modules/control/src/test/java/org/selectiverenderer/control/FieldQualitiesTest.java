@@ -173,8 +173,9 @@ class FieldQualitiesTest {
                   + " Nobody",
               "light of L.off cannot be chosen: DirectionalLight L has no inputOutput field off",
               "light of L.on cannot be chosen: \"dark\" is no value of the field",
-              "light of P.translation cannot be chosen: the field is not of type "
-                  + SaiFieldValue.TYPES,
+              "light of P.translation cannot be chosen: the field is of none of the types SFBool,"
+                  + " SFInt32, SFFloat, SFDouble, SFTime, SFString, SFColor, MFString, MFInt32,"
+                  + " MFFloat, MFDouble",
               "shading of M.shininess cannot be chosen: \"0.5 0.5\" is no value of the field");
       scene.walkTo(0);
       assertThat(scene.events).doesNotHaveAnyElementsOfTypes(FieldChange.class);
