@@ -197,7 +197,8 @@ final class VisibilityEstimator {
           }
         }
       }
-      if (inView >= FEW) {
+      // Of an object of which only points that it hides itself are in the view, rays tell the area.
+      if (inView >= FEW && !(visible && exactly && pixels == 0)) {
         return new Estimate(visible, pixels);
       }
       Estimate near = near(shown);
