@@ -29,6 +29,7 @@ import org.selectiverenderer.x3d.write.FieldValueFormatter;
 public final class QualityTargets {
   /** The types that the controller writes from metadata. */
   private final SceneDocument document;
+
   private final NodeCatalogue catalogue;
 
   /** Finds fields in the document's present state. */
