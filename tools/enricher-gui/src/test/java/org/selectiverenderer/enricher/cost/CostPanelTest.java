@@ -262,7 +262,7 @@ class CostPanelTest {
     show();
     GuiRobot.onEdt(
         () -> {
-          frame.setSize(640, 400);
+          frame.setSize(760, 400);
           frame.validate();
           return true;
         });
@@ -274,7 +274,7 @@ class CostPanelTest {
     }
     GuiRobot.onEdt(
         () -> {
-          frame.setSize(1100, 300);
+          frame.setSize(1400, 300);
           frame.validate();
           return true;
         });
