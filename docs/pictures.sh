@@ -57,6 +57,8 @@ openxr-window.jpg                  monado
 openxr.jpg                         monado
 operator.jpg                       window
 overlay.png                        window
+performance-budget-apartment.svg   plots
+performance-budget-street.svg      plots
 performance-frame.svg              plots
 performance-frames.svg             plots
 performance-growth-inlines.svg     plots

@@ -42,7 +42,8 @@ import picocli.CommandLine.Parameters;
       "  ./selective-renderer enrich scenes/apartment-plain.x3d",
       "  ./selective-renderer enrich scenes/apartment-plain.x3d \\",
       "      --ratings ratings.csv --dry-run",
-      "  ./selective-renderer enrich scenes/apartment-plain.x3d --from-logs mystudy --dry-run"
+      "  ./selective-renderer enrich scenes/apartment-plain.x3d \\",
+      "      --from-logs mystudy --dry-run"
     })
 public final class EnrichCommand extends CliCommand {
   /** Opens the enricher's window. */
