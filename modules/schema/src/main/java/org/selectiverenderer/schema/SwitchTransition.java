@@ -26,6 +26,12 @@ public sealed interface SwitchTransition {
     public String spelling() {
       return "at-once";
     }
+
+    // Written out, as records link theirs when first called: the first frame would wait for it.
+    @Override
+    public String toString() {
+      return spelling();
+    }
   }
 
   /**
