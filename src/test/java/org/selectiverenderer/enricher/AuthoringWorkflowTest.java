@@ -264,17 +264,17 @@ class AuthoringWorkflowTest {
     hands.press(KeyEvent.VK_CONTROL, KeyEvent.VK_2);
     JTable table = GuiRobot.named(content(), Texts.of("cost.statesname"), JTable.class);
     hands.await("the counts", () -> row(table, state) >= 0);
-    hands.click(table, row(table, state), 4);
+    hands.click(table, row(table, state), 6);
     hands.press(KeyEvent.VK_F2);
     hands.write(Long.toString(polygons));
     hands.press(KeyEvent.VK_ENTER);
     hands.await(
-        "the limit", () -> String.valueOf(table.getValueAt(row(table, state), 4)).length() > 3);
+        "the limit", () -> String.valueOf(table.getValueAt(row(table, state), 6)).length() > 3);
     String bar =
         GuiRobot.onEdt(
             () -> {
               int row = row(table, state);
-              Component cell = table.prepareRenderer(table.getCellRenderer(row, 5), row, 5);
+              Component cell = table.prepareRenderer(table.getCellRenderer(row, 7), row, 7);
               return cell.getAccessibleContext().getAccessibleName();
             });
     assertThat(bar).contains("left");
