@@ -82,7 +82,7 @@ if defined SELECTIVE_RENDERER_SAI if defined SR_TOLD echo selective-renderer: %S
 if defined SR_SAI set "SR_PATH=%SELECTIVE_RENDERER_SAI%;%SR_JAR%"
 if defined SR_SAI if exist "%SELECTIVE_RENDERER_SAI%\*" set "SR_PATH=%SELECTIVE_RENDERER_SAI%\*;%SR_JAR%"
 rem Those that load and then do little in Java: quick code and a small heap.
-set "SR_LIGHT=-XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Xms64m -Xmn32m"
+set "SR_LIGHT=-XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Xms64m -Xmn32m -XX:MinHeapFreeRatio=80 -XX:MaxHeapFreeRatio=90"
 if /i "%~1"=="run" set "SR_FLAGS=%SR_FLAGS% %SR_LIGHT%"
 if /i "%~1"=="simulate" set "SR_FLAGS=%SR_FLAGS% %SR_LIGHT%"
 if /i "%~1"=="validate" set "SR_FLAGS=%SR_FLAGS% %SR_LIGHT%"
