@@ -100,7 +100,9 @@ final class TinyNode {
               case "getSize" -> Array.getLength(values.get(name));
               case "getValue" -> copied(name, arguments[0]);
               case "addX3DEventListener" ->
-                  listeners.get(name).add((X3DFieldEventListener) arguments[0]);
+                  listeners
+                      .computeIfAbsent(name, unknown -> new ArrayList<>())
+                      .add((X3DFieldEventListener) arguments[0]);
               case "removeX3DEventListener" -> listeners.get(name).remove(arguments[0]);
               default -> throw new UnsupportedOperationException(method.getName());
             });
