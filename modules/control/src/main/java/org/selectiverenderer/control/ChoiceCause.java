@@ -1,7 +1,7 @@
 package org.selectiverenderer.control;
 
 /**
- * What caused the choice of a version.
+ * A cause says why a version was chosen.
  *
  * @param schema the schema that was activated; empty if none was
  * @param budget whether the budget of triangles or milliseconds chose

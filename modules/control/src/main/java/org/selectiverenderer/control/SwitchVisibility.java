@@ -1,7 +1,7 @@
 package org.selectiverenderer.control;
 
 /**
- * What the viewer sees of an object at the moment at which its version changes.
+ * This tells what the viewer sees of an object at the moment at which its version changes.
  *
  * @param visible whether some of the object is in the view and not hidden by other objects
  * @param pixels estimated number of the picture's pixels that show the object

@@ -41,7 +41,7 @@ public final class QualityVersionsEdit {
   private final ProblemCollector problems;
 
   /**
-   * What to make.
+   * A request says which levels are made.
    *
    * @param object the DEF name of the object, or of its Switch
    * @param percents the sides of smaller pictures, in percent, falling; none for no textures
@@ -60,7 +60,7 @@ public final class QualityVersionsEdit {
   }
 
   /**
-   * What is to be made.
+   * A plan holds the edit and the pictures of a request.
    *
    * @param object the name of the object's Switch
    * @param files the pictures

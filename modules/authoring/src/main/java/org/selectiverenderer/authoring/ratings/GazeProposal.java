@@ -28,7 +28,7 @@ public record GazeProposal(
     int versions) {
 
   /**
-   * What a proposal rests on.
+   * This is the evidence on which a proposal rests.
    *
    * @param participants number of those who had the object in view
    * @param inView seconds in which they had it in view

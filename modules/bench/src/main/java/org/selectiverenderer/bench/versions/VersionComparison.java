@@ -65,7 +65,7 @@ public final class VersionComparison {
     }
   }
 
-  /** What the thesis's rule shows in a frame. */
+  /** A frame holds the versions that the thesis's rule shows. */
   private record ThesisFrame(double time, long triangles, int[] choices) {}
 
   /**

@@ -14,8 +14,8 @@ import org.selectiverenderer.walkthrough.budget.ObjectPlaces;
 /** A rule that chooses the versions of objects within a budget of triangles. */
 enum VersionRule {
   /**
-   * As an LOD node does (X3D 4.0, 23.4.2): by the distance from the viewer, with ranges that double
-   * and are the same for all objects. The first range is the longest that keeps the budget.
+   * The distance from the viewer decides, as of an LOD node (X3D 4.0, 23.4.2), with ranges that
+   * double and are the same for all objects. The first range is the longest that keeps the budget.
    */
   DISTANCE {
     @Override

@@ -6,11 +6,11 @@ import org.selectiverenderer.browser.scene.NamedMetadata;
 import org.selectiverenderer.browser.scene.Node;
 
 /**
- * Where the light on a surface is computed, as a MetadataString of the name {@value #NAME} in the
- * metadata of its Appearance says. Other browsers pass it over.
+ * This says where the light on a surface is computed, as a MetadataString of the name {@value
+ * #NAME} in the metadata of its Appearance says. Other browsers pass it over.
  */
 public enum SurfaceShading {
-  /** As the renderer is set; without such metadata. */
+  /** There are no such metadata: light is computed where the renderer is set to. */
   UNSPECIFIED,
   /** At each pixel, with interpolated normals (Phong). */
   PIXEL,

@@ -6,7 +6,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What a frame may cost.
+ * A budget limits what a frame may cost.
  *
  * @param amount triangles of the whole scene, or milliseconds of a frame; above 0
  */
