@@ -33,6 +33,10 @@ final class SharedShapeState implements NodeObserver {
   private final int visibleField;
   private boolean pending;
   private boolean disposed;
+
+  /** Whether the nodes in the Shape are not observed, since nobody has asked for one yet. */
+  private boolean deferred;
+
   private @Nullable Node geometry;
   private List<SoundSourceNode> films = List.of();
 
@@ -53,8 +57,15 @@ final class SharedShapeState implements NodeObserver {
     if (shape instanceof ProceduralShape formed) {
       formed.meshes(assets::mesh);
     }
-    observe();
     NodeTemplate template = shape.template();
+    ShapeReading known = template != null && shape.partsDeferred() ? readings.get(template) : null;
+    if (known != null) {
+      deferred = true;
+      shape.addObserver(this);
+      reading = known;
+      return;
+    }
+    observe();
     reading =
         template != null && isLikeTemplate()
             ? readings.computeIfAbsent(template, any -> ShapeReading.of(shape, geometry, assets))
@@ -160,6 +171,19 @@ final class SharedShapeState implements NodeObserver {
 
   private void observe() {
     shape.addObserver(this);
+    observeParts();
+  }
+
+  /** Begins to observe the nodes in the Shape, of which one is changing. */
+  @Override
+  public void partChanges(Node node) {
+    if (deferred) {
+      observeParts();
+    }
+  }
+
+  private void observeParts() {
+    deferred = false;
     geometry = shape.node("geometry");
     if (geometry != null) {
       inGeometry = observed(geometry);

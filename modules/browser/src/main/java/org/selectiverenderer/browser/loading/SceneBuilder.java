@@ -110,12 +110,15 @@ final class SceneBuilder {
    *
    * @param template the template of a Shape or geometry node
    * @param attached whether more belongs to the node than its values: a file, an image, a program
+   * @param parts the nodes in a Shape; null for other nodes
    */
-  private record Recipe(@Nullable NodeTemplate template, boolean attached) {}
+  private record Recipe(
+      @Nullable NodeTemplate template, boolean attached, DeferredParts.@Nullable OfShape parts) {}
 
   /** The facts that all scenes of one file share, besides the values of its nodes. */
-  private final class SharedHead {
+  private final class SharedHead implements DeferredParts.FirstCopy {
     private final LoadedFile content;
+    private final DeferredParts deferred;
 
     final Map<ParsedNode, Recipe> recipes = new IdentityHashMap<>();
 
@@ -131,6 +134,7 @@ final class SceneBuilder {
     SharedHead(LoadedFile content) {
       this.content = content;
       X3dFile file = content.file();
+      deferred = new DeferredParts(factory, file);
       components = Collections.unmodifiableMap(new LinkedHashMap<>(file.components()));
       Map<String, String> named = new LinkedHashMap<>();
       file.meta().forEach(one -> named.put(one.name(), one.content()));
@@ -161,11 +165,24 @@ final class SceneBuilder {
               || type.component().equals("Geospatial")
               || BackgroundTextures.names(type)
               || content.images().containsKey(parsed);
+      if (type.name().equals("Shape")) {
+        DeferredParts.OfShape parts = deferred.new OfShape(parsed, this);
+        return new Recipe(new NodeTemplate(parsed.location(), mesh, parts), attached, parts);
+      }
       return new Recipe(
-          mesh != null || type.name().equals("Shape")
-              ? new NodeTemplate(parsed.location(), mesh)
-              : null,
-          attached);
+          mesh == null ? null : new NodeTemplate(parsed.location(), mesh), attached, null);
+    }
+
+    @Override
+    public boolean attached(ParsedNode parsed) {
+      Recipe known = recipes.get(parsed);
+      return known == null || known.attached();
+    }
+
+    @Override
+    public @Nullable NodeTemplate template(ParsedNode parsed) {
+      Recipe known = recipes.get(parsed);
+      return known == null ? null : known.template();
     }
 
     /** Returns the context of the file's urls where it is inlined by some other files. */
@@ -267,7 +284,7 @@ final class SceneBuilder {
       depth++;
       Node node = factory.make(parsed.type(), parsed.name(), parsed.location());
       made.put(parsed, node);
-      node.init(values(parsed));
+      node.init(deferred(parsed) ? parsed.values() : values(parsed));
       Recipe recipe = head.recipe(parsed);
       if (recipe.template() != null) {
         node.template(recipe.template());
@@ -277,6 +294,20 @@ final class SceneBuilder {
       }
       depth--;
       return Optional.of(node);
+    }
+
+    /** Returns whether the nodes in a node are made later, and then counts them now. */
+    private boolean deferred(ParsedNode parsed) {
+      Recipe before = head.recipes.get(parsed);
+      if (before == null || before.parts() == null) {
+        return false;
+      }
+      int count = before.parts().count(head);
+      if (count <= 0 || nodes + count > maxNodes || depth + before.parts().height() > MAX_DEPTH) {
+        return false; // What is left out is told of each node.
+      }
+      nodes += count;
+      return true;
     }
 
     private boolean affordable(ParsedNode parsed) {
