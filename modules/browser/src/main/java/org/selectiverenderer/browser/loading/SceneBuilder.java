@@ -128,6 +128,10 @@ final class SceneBuilder {
     final Map<String, Integer> components;
     final Map<String, String> meta;
     final Map<String, String> exports;
+
+    /** The place of each DEF name in the file. */
+    final Map<String, Integer> names = new LinkedHashMap<>();
+
     private @Nullable List<String> includedBy;
     private @Nullable UrlContext origin;
 
@@ -142,6 +146,7 @@ final class SceneBuilder {
       Map<String, String> exported = new LinkedHashMap<>();
       file.exports().forEach(export -> exported.put(export.as(), export.localDef()));
       exports = Collections.unmodifiableMap(exported);
+      file.named().keySet().forEach(name -> names.put(name, names.size()));
     }
 
     /** Returns the recipe of a node of the file; at the first time it reports the node's type. */
@@ -237,14 +242,9 @@ final class SceneBuilder {
       if (file.prototypes() != null && content.types().contains("Script")) {
         store.prototypes(scene.root(), file.prototypes());
       }
-      file.named()
-          .forEach(
-              (name, parsed) -> {
-                Node node = made.get(parsed);
-                if (node != null) {
-                  scene.name(name, node);
-                }
-              });
+      if (!file.named().isEmpty()) {
+        name(file.named());
+      }
       for (X3dFile.ParsedRoute route : file.routes()) {
         Optional<Node> from = end(route.from());
         Optional<Node> to = end(route.to());
@@ -257,6 +257,28 @@ final class SceneBuilder {
       scene.imports().refresh(scene, ImportUpdater::content, content::error);
       head.count = made.size();
       return scene;
+    }
+
+    private void name(Map<String, ParsedNode> named) {
+      Node[] nodes = new Node[named.size()];
+      int count = 0;
+      for (ParsedNode parsed : named.values()) {
+        Node node = made.get(parsed);
+        if (node != null) {
+          nodes[count++] = node;
+        }
+      }
+      if (count == nodes.length) {
+        scene.names(head.names, nodes);
+        return;
+      }
+      named.forEach( // Some were left out.
+          (name, parsed) -> {
+            Node node = made.get(parsed);
+            if (node != null) {
+              scene.name(name, node);
+            }
+          });
     }
 
     /**
