@@ -90,6 +90,10 @@ public final class InstanceTree {
     collect();
   }
 
+  AssetProvider assets() {
+    return assets;
+  }
+
   public GroupInstance root() {
     return root;
   }
@@ -332,7 +336,7 @@ public final class InstanceTree {
     }
     if (node.type().name().equals("Shape") || node instanceof ProceduralShape) {
       SharedShapeState look =
-          looks.computeIfAbsent(node, shape -> new SharedShapeState(shape, assets, this, readings));
+          looks.computeIfAbsent(node, shape -> new SharedShapeState(shape, this, readings));
       ShapeInstance instance = new ShapeInstance(node, parent, look);
       look.add(instance);
       instance.see(sight);

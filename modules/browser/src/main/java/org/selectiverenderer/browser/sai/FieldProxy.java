@@ -213,18 +213,27 @@ final class FieldProxy implements InvocationHandler, SingleFieldListener, FieldM
   /** Calls the listeners in order, except those that were removed meanwhile. */
   @Override
   public void fieldChanged(Node node, int index, @Nullable Object value, double time) {
-    if (listeners == null || owner.gone()) {
+    Object now = listeners;
+    if (now == null || owner.gone()) {
       return;
     }
     X3DFieldEvent event = new X3DFieldEvent(proxy, time, userData);
-    for (X3DFieldEventListener listener : all()) {
-      if (Arrays.asList(all()).contains(listener)) {
-        SafeListenerInvoker.call(
-            owner.binding().problems(),
-            node.location(),
-            "a listener of " + definition.getName(),
-            () -> listener.readableFieldChanged(event));
+    if (now instanceof X3DFieldEventListener[] several) {
+      for (X3DFieldEventListener listener : several) {
+        if (Arrays.asList(all()).contains(listener)) {
+          call(listener, event, node);
+        }
       }
+    } else {
+      call((X3DFieldEventListener) now, event, node);
     }
+  }
+
+  private void call(X3DFieldEventListener listener, X3DFieldEvent event, Node node) {
+    SafeListenerInvoker.call(
+        owner.binding().problems(),
+        node.location(),
+        () -> "a listener of " + definition.getName(),
+        () -> listener.readableFieldChanged(event));
   }
 }

@@ -117,7 +117,7 @@ public class Node implements NodeView {
     if (value instanceof ParsedNode) {
       value = makeParts()[field];
     }
-    return value != null ? value : type.fields().get(field).defaultValue();
+    return value != null ? value : type.defaultValue(field);
   }
 
   /** Returns the node in an SFNode field, or null. */

@@ -112,6 +112,9 @@ public final class TransitionTiming implements SwitchTiming {
 
   @Override
   public Optional<SwitchVisibility> shows(X3DNode switchNode, int choice) {
+    if (!observing && !(transition instanceof SwitchTransition.Fade)) {
+      return Optional.empty();
+    }
     Node node = nodes.apply(switchNode);
     Optional<SwitchVisibility> seen =
         !observing
