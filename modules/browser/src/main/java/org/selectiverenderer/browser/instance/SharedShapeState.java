@@ -75,6 +75,12 @@ final class SharedShapeState implements NodeObserver {
     lookAtShape();
   }
 
+  /** Returns what the instances of a Shape in a tree share; null without any. */
+  static @Nullable SharedShapeState of(Node shape, InstanceTree tree) {
+    return shape.observer(
+        SharedShapeState.class, known -> known.shape == shape && known.tree == tree);
+  }
+
   /** Notes what is asked for whenever the Shape is shown or hidden. */
   private void lookAtShape() {
     Mesh mesh = reading.mesh();

@@ -433,6 +433,21 @@ public class Node implements NodeView {
     }
   }
 
+  /** Returns the first observer that is of a class and satisfies a condition, or null. */
+  public final <O extends NodeObserver> @Nullable O observer(
+      Class<O> kind, Predicate<? super O> wanted) {
+    Object now = observers;
+    if (!(now instanceof ObserverList list)) {
+      return kind.isInstance(now) && wanted.test(kind.cast(now)) ? kind.cast(now) : null;
+    }
+    for (int i = 0; i < list.count; i++) {
+      if (kind.isInstance(list.all[i]) && wanted.test(kind.cast(list.all[i]))) {
+        return kind.cast(list.all[i]);
+      }
+    }
+    return null;
+  }
+
   /** Adds a listener; listeners are called in the order in which they were added. */
   public final void addListener(int field, FieldListener listener) {
     heardFrom(field);
