@@ -87,7 +87,7 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
     this.shown = atStart;
     this.children = node.getField("children");
     this.onChildren = event -> turn.take(() -> onChange.accept(this, event.getTime()));
-    this.watch = new MetadataWatcher(node, turn, time -> onChange.accept(this, time));
+    this.watch = new MetadataWatcher(node, scope, turn, time -> onChange.accept(this, time));
     this.whichChoice = node.getField("whichChoice");
     this.onChoice = event -> turn.take(() -> choiceChanged(event.getTime(), onForeignChoice));
     children.addX3DEventListener(onChildren);

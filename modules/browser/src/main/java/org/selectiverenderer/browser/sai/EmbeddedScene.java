@@ -204,10 +204,12 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
     for (X3DNode known : nodes) {
       Node node = binding.own(known).orElse(null);
       String name = node == null ? null : node.name();
-      if (node == null || PrototypeInstance.seen(node, null) != node) {
-        rest.add(known);
-      } else if (name != null && scene.find(name).orElse(null) == node) {
+      if (name != null
+          && PrototypeInstance.seen(node, null) == node
+          && scene.find(name).orElse(null) == node) {
         names.put(known, name);
+      } else {
+        rest.add(known);
       }
     }
     return rest;
