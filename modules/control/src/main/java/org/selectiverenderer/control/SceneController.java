@@ -39,6 +39,8 @@ final class SceneController implements ControlledArea.Listener {
   private final Map<X3DNode, VersionedObject> objects = new LinkedHashMap<>();
   private final SceneChoices choices;
   private boolean started;
+  private boolean nodesChanged;
+  private boolean fieldsMissing;
   private double now;
 
   /**
@@ -78,7 +80,17 @@ final class SceneController implements ControlledArea.Listener {
             namesAccess,
             Set.of("Switch", "ProximitySensor"),
             turn,
-            this::changed);
+            new SceneGraphWatcher.Listener() {
+              @Override
+              public void changed(List<Found> found, List<X3DNode> lost, double time) {
+                SceneController.this.changed(found, lost, time);
+              }
+
+              @Override
+              public void nodesChanged() {
+                nodesChanged = true;
+              }
+            });
   }
 
   /** Reads the scene, sets the choices of the condition, and reports the start. */
@@ -119,6 +131,32 @@ final class SceneController implements ControlledArea.Listener {
   /** Looks for changes of the scene's root nodes. */
   void rescan() {
     walk.rescan(now);
+    lookForFields();
+  }
+
+  /**
+   * Looks again for the nodes whose fields are qualities, if there may be others. It does so once a
+   * frame at most, since thousands of files may come one after the other.
+   */
+  private void lookForFields() {
+    if (!nodesChanged) {
+      return;
+    }
+    nodesChanged = false;
+    fieldsMissing = false;
+    List<ControlledField> found = new ArrayList<>();
+    for (VersionedObject object : objects.values()) {
+      if (object.fieldsMayDiffer()) {
+        List<ControlledField> before = object.fields();
+        List<ControlProblem> known = object.problems();
+        object.findFields();
+        before.stream().filter(f -> !object.fields().contains(f)).forEach(choices::forget);
+        object.fields().stream().filter(f -> !before.contains(f)).forEach(found::add);
+        reportNew(known, object.problems());
+        fieldsMissing |= object.fieldsMissing();
+      }
+    }
+    choices.setOut(found, objects.size(), true, now);
   }
 
   /** Removes all listeners from the scene. */
@@ -161,6 +199,7 @@ final class SceneController implements ControlledArea.Listener {
   /** Shows the choices that wait and may be shown now. */
   void showDue(double time) {
     now = Math.max(now, time);
+    lookForFields();
     choices.showDue(now);
   }
 
@@ -213,6 +252,8 @@ final class SceneController implements ControlledArea.Listener {
     // A browser that delivers events late may still send the event of an entry that was already
     // read from the sensor.
     if (area.schemas().isPresent() && !choices.isEntered(area)) {
+      nodesChanged |= fieldsMissing; // Names are given to nodes without an event.
+      lookForFields();
       events.accept(new ControlEvent.Enter(time, area.name(), area.schemas().get().enter()));
       choices.enter(area, now);
     }
@@ -222,6 +263,8 @@ final class SceneController implements ControlledArea.Listener {
   public void left(ControlledArea area, double time) {
     now = time;
     if (area.schemas().isPresent() && choices.isEntered(area)) {
+      nodesChanged |= fieldsMissing; // Names are given to nodes without an event.
+      lookForFields();
       events.accept(new ControlEvent.Exit(time, area.name(), area.schemas().get().exit()));
       choices.exit(area, now);
     }
