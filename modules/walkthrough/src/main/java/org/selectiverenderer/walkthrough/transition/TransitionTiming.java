@@ -113,20 +113,25 @@ public final class TransitionTiming implements SwitchTiming {
   @Override
   public Optional<SwitchVisibility> shows(X3DNode switchNode, int choice) {
     Node node = nodes.apply(switchNode);
-    Optional<SwitchVisibility> seen =
-        !observing
-            ? Optional.empty()
-            : nothingSeen()
-                ? Optional.of(UNSEEN)
-                : estimator
-                    .of(node, shown(node), choice, true)
-                    .map(of -> new SwitchVisibility(of.visible(), of.pixels(), turning()));
+    Optional<SwitchVisibility> seen = observing ? seen(node, choice) : Optional.empty();
     if (transition instanceof SwitchTransition.Fade fade
         && !nothingSeen()
         && shown(node) != choice) {
       world.instances().fades().begin(node, shown(node), choice, fade.milliseconds() / 1000);
     }
     return seen;
+  }
+
+  private Optional<SwitchVisibility> seen(Node node, int choice) {
+    if (nothingSeen()) {
+      return Optional.of(UNSEEN);
+    }
+    if (granted.contains(new Question(node, shown(node), choice))) {
+      return Optional.of(new SwitchVisibility(false, 0, turning()));
+    }
+    return estimator
+        .of(node, shown(node), choice, true)
+        .map(of -> new SwitchVisibility(of.visible(), of.pixels(), turning()));
   }
 
   private static int shown(Node node) {
