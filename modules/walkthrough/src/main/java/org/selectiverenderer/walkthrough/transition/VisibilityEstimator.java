@@ -1,18 +1,23 @@
 package org.selectiverenderer.walkthrough.transition;
 
 import java.util.IdentityHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.camera.Camera;
 import org.selectiverenderer.browser.camera.EyeCameras;
+import org.selectiverenderer.browser.collision.MeshBvhCache;
 import org.selectiverenderer.browser.collision.RayCaster;
 import org.selectiverenderer.browser.instance.GroupInstance;
 import org.selectiverenderer.browser.instance.Instance;
 import org.selectiverenderer.browser.instance.InstanceTree;
+import org.selectiverenderer.browser.instance.ShapeInstance;
 import org.selectiverenderer.browser.scene.Node;
+import org.selectiverenderer.geometry.mesh.Mesh;
 
 /**
  * Estimates whether the viewer sees an object of several versions, and how large, by {@value #RAYS}
@@ -24,13 +29,19 @@ import org.selectiverenderer.browser.scene.Node;
  */
 final class VisibilityEstimator {
   /** The number of rays of a frame beyond which no further object is looked at. */
-  private static final int MOST_RAYS = 2048;
+  private static final int MOST_RAYS = 1024;
 
   /** The number of rays through an object's part of the picture. */
   static final int RAYS = 64;
 
   /** The same, where the first half of a frame's rays has been cast. */
   private static final int FEWER_RAYS = 16;
+
+  /** The number of triangles of a mesh whose hierarchy is built within a fraction of a frame. */
+  private static final int LARGE = 500;
+
+  /** The number of triangles whose hierarchies are built before they are needed, for the memory. */
+  private static final long MOST_PREPARED = 4_000_000;
 
   /**
    * What is seen of an object.
@@ -51,6 +62,19 @@ final class VisibilityEstimator {
     this.world = world;
     rays = new SightRays(new RayCaster(world.instances(), world.meshes()));
     tree = world.instances();
+  }
+
+  /** Promises the hierarchies of large meshes; returns what builds them. */
+  List<MeshBvhCache.Task> prepare() {
+    Set<Mesh> large = new LinkedHashSet<>();
+    long triangles = 0;
+    for (ShapeInstance shape : world.instances().shapes()) {
+      Optional<Mesh> mesh = shape.mesh().filter(of -> of.polygons() > LARGE);
+      if (mesh.isPresent() && triangles + mesh.get().polygons() <= MOST_PREPARED) {
+        triangles += large.add(mesh.get()) ? mesh.get().polygons() : 0;
+      }
+    }
+    return world.meshes().prepare(large);
   }
 
   /** Begins a frame, in which as many rays may be cast as in any other. */
