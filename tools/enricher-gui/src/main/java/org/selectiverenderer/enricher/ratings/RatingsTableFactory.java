@@ -27,7 +27,7 @@ final class RatingsTableFactory {
   private RatingsTableFactory() {}
 
   static JTable matches(MatchTableModel model, List<String> switches) {
-    JTable table = table(model, Texts.of("ratings.matches"));
+    JTable table = table(model, Texts.of("ratings.matches"), 26);
     JComboBox<String> box = PlainText.entries(new JComboBox<>());
     box.addItem(MatchTableModel.none());
     switches.forEach(box::addItem);
@@ -40,7 +40,7 @@ final class RatingsTableFactory {
   }
 
   static JTable implied(ImpliedMetadataTableModel model) {
-    JTable table = table(model, Texts.of("ratings.implied"));
+    JTable table = table(model, Texts.of("ratings.implied"), 26);
     int[] shares = {18, 16, 7, 9, 19, 31};
     for (int i = 0; i < shares.length; i++) {
       table.getColumnModel().getColumn(i).setPreferredWidth(10 * shares[i]);
@@ -50,7 +50,7 @@ final class RatingsTableFactory {
   }
 
   static JTable gaze(GazeTableModel model) {
-    JTable table = table(model, Texts.of("ratings.gaze"));
+    JTable table = table(model, Texts.of("ratings.gaze"), 36);
     int[] shares = {8, 18, 16, 8, 7, 11, 25, 17};
     for (int i = 0; i < shares.length; i++) {
       table.getColumnModel().getColumn(i).setPreferredWidth(10 * shares[i]);
@@ -68,15 +68,21 @@ final class RatingsTableFactory {
     return table;
   }
 
-  /** Columns take the width of new rows; a text that is cut off all the same has a tooltip. */
+  /**
+   * Columns take the width of new rows, up to that of a sentence, of which there are few; a text
+   * that is cut off all the same has a tooltip.
+   */
   @SuppressWarnings("serial") // never written
   private static final class CompleteTable extends ShortcutTable {
     private static final long serialVersionUID = 1L;
 
     private static final int MOST_ROWS = 500;
 
-    CompleteTable(TableModel model) {
+    private final int letters;
+
+    CompleteTable(TableModel model, int letters) {
       super(model);
+      this.letters = letters;
       PlainText.cells(this);
     }
 
@@ -85,11 +91,12 @@ final class RatingsTableFactory {
       super.tableChanged(event);
       boolean all = event.getLastRow() == Integer.MAX_VALUE; // Else a column would lose its drag.
       if (all && getColumnCount() == getModel().getColumnCount()) {
+        int most = letters * getFontMetrics(getFont()).charWidth('n');
         for (int column = 0; column < getColumnCount(); column++) {
           TableColumn of = getColumnModel().getColumn(column);
           int width = getRowCount() == 0 ? of.getPreferredWidth() : of.getMinWidth();
           for (int row = 0; row < Math.min(getRowCount(), MOST_ROWS); row++) {
-            width = Math.max(width, needed(row, column));
+            width = Math.max(width, Math.min(most, needed(row, column)));
           }
           of.setPreferredWidth(width);
         }
@@ -113,8 +120,8 @@ final class RatingsTableFactory {
     }
   }
 
-  private static JTable table(TableModel model, String name) {
-    JTable table = new CompleteTable(model);
+  private static JTable table(TableModel model, String name, int letters) {
+    JTable table = new CompleteTable(model, letters);
     table.setFillsViewportHeight(true);
     table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     table.setRowHeight(Math.round(table.getFontMetrics(table.getFont()).getHeight() * 1.4f));
