@@ -54,6 +54,9 @@ final class SceneGraphWatcher {
      * @param time stamp in seconds
      */
     void changed(List<Found> found, List<X3DNode> lost, double time);
+
+    /** Nodes were added, removed or loaded, wanted ones or others. */
+    default void nodesChanged() {}
   }
 
   /**
@@ -143,6 +146,7 @@ final class SceneGraphWatcher {
     List<X3DNode> lost = new ArrayList<>();
     retain(scope, after, found);
     release(before, lost);
+    listener.nodesChanged();
     if (!found.isEmpty() || !lost.isEmpty()) {
       listener.changed(found, lost, time);
     }
