@@ -3,6 +3,7 @@ package org.selectiverenderer.control;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -169,6 +170,16 @@ final class SceneController implements ControlledArea.Listener {
       choosable = known;
     }
     return known;
+  }
+
+  /** Returns the qualities in which versions and fields of the scene's objects differ. */
+  Set<Quality> qualities() {
+    Set<Quality> found = EnumSet.noneOf(Quality.class);
+    choicesOf(objects.values()).stream()
+        .flatMap(choice -> choice.schemas().stream())
+        .map(SwitchSchemas::quality)
+        .forEach(found::add);
+    return found;
   }
 
   /** Returns whether the versions differ in their polygons, so that a budget can choose. */
