@@ -72,6 +72,7 @@ final class SceneGraphWatcher {
   private final ListenerLock turn;
   private final Listener listener;
   private final Map<X3DNode, Place> places = new HashMap<>();
+  private final ChildSource.Listener onChildren = this::replace;
   private List<X3DNode> roots = List.of();
 
   /** The names of the fields with children, by type of grouping node. */
@@ -247,12 +248,11 @@ final class SceneGraphWatcher {
 
     Place(X3DNode node, SceneScope scope) {
       List<ChildSource> found = new ArrayList<>();
-      ChildSource.Listener listener = SceneGraphWatcher.this::replace;
       for (String field : childFields(node)) {
-        found.add(new FieldChildSource(scope, node.getField(field), turn, listener));
+        found.add(new FieldChildSource(scope, node.getField(field), turn, onChildren));
       }
       if (inlined != null && node instanceof Inline) {
-        found.add(new InlineChildSource(scope, node, inlined, wanted, listener));
+        found.add(new InlineChildSource(scope, node, inlined, wanted, onChildren));
       }
       branches = List.copyOf(found);
     }
