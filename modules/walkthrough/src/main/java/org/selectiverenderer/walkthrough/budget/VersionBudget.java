@@ -1,6 +1,8 @@
 package org.selectiverenderer.walkthrough.budget;
 
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -105,16 +107,17 @@ public final class VersionBudget {
     return triangles;
   }
 
+  /** Returns how many objects were measured as the structure last changed, for the test. */
+  int measured() {
+    return places.measured();
+  }
+
   private void choose() {
     InstanceTree now = world.instances();
     List<ChoosableObject> choosable = controller.choosable();
     boolean other = choosable != objects || now != tree || structure != now.structureVersion();
     if (other) {
-      objects = choosable;
-      tree = now;
-      structure = now.structureVersion();
-      places = new ObjectPlaces(objects, now, nodes);
-      problem = new MultipleChoiceKnapsack(places.choices(), HYSTERESIS);
+      restructure(choosable, now);
     } else if (places.stale(now)) {
       places.moved(now);
     }
@@ -137,6 +140,26 @@ public final class VersionBudget {
       }
     } else {
       problem.forEachChanged(i -> show(i, time));
+    }
+  }
+
+  /** Follows a change of the scene's structure; objects that stay keep what was chosen. */
+  private void restructure(List<ChoosableObject> choosable, InstanceTree now) {
+    Map<Node, Integer> before = new IdentityHashMap<>();
+    for (int i = 0; i < objects.size(); i++) {
+      before.put(places.node(i), problem.choice(i));
+    }
+    places =
+        now == tree ? places.after(choosable, now) : new ObjectPlaces(choosable, now, nodes);
+    objects = choosable;
+    tree = now;
+    structure = now.structureVersion();
+    problem = new MultipleChoiceKnapsack(places.choices(), HYSTERESIS);
+    for (int i = 0; i < objects.size(); i++) {
+      Integer chosen = before.get(places.node(i));
+      if (chosen != null) {
+        problem.resume(i, chosen);
+      }
     }
   }
 
