@@ -231,6 +231,22 @@ class VersionBudgetTest {
   }
 
   @Test
+  void objectsInOtherLayersAreLeftAsTheyAreWhichIsTold() throws IOException {
+    String layer = "<LayerSet activeLayer='0' order='0 1'><Layer>" + RIGHT + "</Layer></LayerSet>";
+    open("triangles:5000", FLOOR, LEFT, layer);
+    look(0, 0, 0);
+    look(1, 0, 0);
+    assertThat(changed()).isEqualTo(Map.of("Left", 0));
+    assertThat(problems)
+        .filteredOn(problem -> problem.message().contains("layer"))
+        .singleElement()
+        .satisfies(
+            problem ->
+                assertThat(problem.message())
+                    .contains("\"Right\" is in a layer that is not the active one"));
+  }
+
+  @Test
   void theTimeLineNamesTheBudgetAsTheCause() throws IOException {
     open("triangles:1400", FLOOR, LEFT, RIGHT);
     look(-2, 0, 0);
