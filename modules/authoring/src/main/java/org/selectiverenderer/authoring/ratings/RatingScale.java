@@ -36,6 +36,14 @@ public enum RatingScale {
           .with(type)
           .with(VersionDegreeMapping.degree(version, choices.size()));
     }
+
+    @Override
+    List<ChoiceMetadata> complete(List<ChoiceMetadata> choices) {
+      // A version between the first and the last would else be the most consistent one.
+      return VersionDegreeMapping.isScale(choices)
+          ? VersionDegreeMapping.complete(choices)
+          : choices;
+    }
   },
 
   /**
@@ -46,9 +54,7 @@ public enum RatingScale {
   LINEAR {
     @Override
     int version(double mean, List<ChoiceMetadata> choices) {
-      double degree = (mean - LEAST) / (MOST - LEAST);
-      return VersionDegreeMapping.version(
-          new ConsistencyDegree(Math.max(0, Math.min(1, degree))), choices);
+      return VersionDegreeMapping.version(new ConsistencyDegree(degree(mean)), choices);
     }
 
     @Override
@@ -62,10 +68,20 @@ public enum RatingScale {
           degree.value() >= 0.5 ? ConsistencyType.CONSISTENT : ConsistencyType.INCONSISTENT;
       return ChoiceMetadata.NONE.with(type).with(degree);
     }
+
+    @Override
+    List<ChoiceMetadata> complete(List<ChoiceMetadata> choices) {
+      return VersionDegreeMapping.complete(choices);
+    }
   };
 
   private static final double LEAST = 1;
   private static final double MOST = 6;
+
+  /** Returns the degree of consistency, 0 to 1, that a mean rating is on the linear scale. */
+  public static double degree(double mean) {
+    return Math.max(0, Math.min(1, (mean - LEAST) / (MOST - LEAST)));
+  }
 
   /**
    * Returns the version for a mean rating.
@@ -76,4 +92,10 @@ public enum RatingScale {
 
   /** Returns the type and degree of a version that ratings imply. */
   abstract ChoiceMetadata values(int version, List<ChoiceMetadata> choices);
+
+  /**
+   * Fills in the degrees of versions that no rating chooses, where those that are chosen have a
+   * place among them.
+   */
+  abstract List<ChoiceMetadata> complete(List<ChoiceMetadata> choices);
 }
