@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JCheckBox;
 import javax.swing.JLabel;
@@ -19,6 +20,7 @@ import org.selectiverenderer.authoring.qualities.QualityVersionsEdit;
 import org.selectiverenderer.authoring.versions.PlannedFile;
 import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.enricher.component.InputDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.text.Mnemonics;
@@ -81,14 +83,15 @@ public final class QualityLevelsMaker {
   private static Optional<String> complaint(String text, boolean shading) {
     Optional<List<Double>> percents = percents(text);
     if (percents.isEmpty()) {
-      return Optional.of(Texts.of("versions.levels.falling"));
+      return Optional.of(
+          Texts.of("versions.levels.falling", String.valueOf(VersionsModel.MOST)));
     }
     return percents.get().isEmpty() && !shading
         ? Optional.of(Texts.of("versions.levels.none"))
         : Optional.empty();
   }
 
-  /** Returns falling numbers between 100 and 0, separated by commas; empty for anything else. */
+  /** Returns a few falling numbers between 100 and 0, with commas; empty for anything else. */
   static Optional<List<Double>> percents(String text) {
     List<Double> percents = new ArrayList<>();
     double before = 100;
@@ -104,7 +107,7 @@ public final class QualityLevelsMaker {
         return Optional.empty();
       }
     }
-    return Optional.of(percents);
+    return percents.size() > VersionsModel.MOST ? Optional.empty() : Optional.of(percents);
   }
 
   /** What was planned, and the problems found. */
@@ -130,19 +133,23 @@ public final class QualityLevelsMaker {
             Texts.of("versions.levels.making"),
             progress -> new Planned(edit.plan(request, PictureReducer::reduced), problems.list()),
             planned -> apply(request.object(), revision, planned),
-            failed -> session.message(Remarks.shown(message(failed))));
+            failed -> session.message(Remarks.of(failed)));
   }
 
-  private static String message(Exception failed) {
-    Throwable cause = failed.getCause() == null ? failed : failed.getCause();
-    return String.valueOf(cause.getMessage());
+  /** Returns what is said of a problem: its place but of one with the whole object. */
+  private static String said(Problem problem) {
+    SourceLocation at = problem.location();
+    return problem.severity() == Problem.Severity.ERROR
+        ? problem.message()
+        : new SourceLocation(at.file().replaceFirst(".*[/\\\\]", ""), at.line(), at.column())
+            + ": "
+            + problem.message();
   }
 
   private void apply(String object, long revision, Planned planned) {
-    planned.problems().stream()
-        .findFirst()
-        .ifPresent(problem -> session.message(Remarks.shown(problem.toString())));
+    Optional<Problem> first = planned.problems().stream().findFirst(); // the cause of later ones
     if (planned.plan().isEmpty()) {
+      first.ifPresent(problem -> session.message(said(problem)));
       return;
     }
     if (session.document().revision() != revision) {
@@ -159,8 +166,26 @@ public final class QualityLevelsMaker {
                   .filter(file -> file.state() != PlannedFile.State.UNCHANGED)
                   .map(file -> new UndoableFileWrite(file.file(), file.content(), file.byHand()))
                   .toList());
+      session.message(
+          first
+              .map(QualityLevelsMaker::said)
+              .orElseGet(
+                  () ->
+                      Texts.of(
+                          "versions.levels.made",
+                          plan.object(),
+                          plan.files().size(),
+                          pictures(plan))));
     } catch (EditRejectedException | IOException e) {
       session.message(Remarks.of(e));
     }
+  }
+
+  /** The names of the pictures of a plan. */
+  private static String pictures(QualityVersionsEdit.Plan plan) {
+    return plan.files().stream()
+        .map(file -> String.valueOf(file.file().getFileName()))
+        .sorted()
+        .collect(Collectors.joining(", "));
   }
 }
