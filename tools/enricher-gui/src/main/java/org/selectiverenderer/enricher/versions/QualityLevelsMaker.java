@@ -3,19 +3,13 @@ package org.selectiverenderer.enricher.versions;
 import java.awt.Component;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
-import javax.swing.JCheckBox;
-import javax.swing.JLabel;
-import javax.swing.JPanel;
-import javax.swing.JTextField;
-import net.miginfocom.swing.MigLayout;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.UndoableFileWrite;
+import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.authoring.qualities.QualityVersionsEdit;
 import org.selectiverenderer.authoring.versions.PlannedFile;
 import org.selectiverenderer.base.problem.Problem;
@@ -23,7 +17,6 @@ import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.enricher.component.InputDialog;
 import org.selectiverenderer.enricher.session.EnricherSession;
-import org.selectiverenderer.enricher.text.Mnemonics;
 import org.selectiverenderer.enricher.text.Remarks;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.swing.PictureReducer;
@@ -47,67 +40,16 @@ public final class QualityLevelsMaker {
    * @param object the DEF name of the object, or of its Switch
    */
   public void ask(Component over, String object) {
-    JTextField percents = new JTextField("50, 25", 14);
-    percents.setName("Percents");
-    percents.getAccessibleContext().setAccessibleName(Texts.of("versions.levels.percents"));
-    JLabel label = Mnemonics.label("versions.levels.percents");
-    label.setLabelFor(percents);
-    JCheckBox vertex = Mnemonics.on(new JCheckBox(), Texts.of("versions.levels.vertex"));
-    JCheckBox flat = Mnemonics.on(new JCheckBox(), Texts.of("versions.levels.flat"));
-    JPanel panel = new JPanel(new MigLayout("insets 0, wrap 2", "[][grow,fill]"));
-    panel.add(label);
-    panel.add(percents);
-    panel.add(new JLabel(Texts.of("versions.levels.shading")));
-    JPanel boxes = new JPanel(new MigLayout("insets 0"));
-    boxes.add(vertex);
-    boxes.add(flat);
-    panel.add(boxes);
-    panel.add(new JLabel(Texts.of("versions.levels.note")), "span");
+    Optional<EnrichedSwitch> node =
+        Optional.ofNullable(session.enrichment().switchesByName().get(object));
+    QualityLevelsPanel panel =
+        new QualityLevelsPanel(node.map(EnrichedSwitch::fields).orElse(List.of()));
     boolean wanted =
-        new InputDialog(over, Texts.of("versions.levels"), panel, percents)
-            .ask(() -> complaint(percents.getText(), vertex.isSelected() || flat.isSelected()));
+        new InputDialog(over, Texts.of("versions.levels"), panel, panel.first())
+            .ask(panel::complaint);
     if (wanted) {
-      List<String> shading = new ArrayList<>();
-      if (vertex.isSelected()) {
-        shading.add("vertex");
-      }
-      if (flat.isSelected()) {
-        shading.add("flat");
-      }
-      make(
-          new QualityVersionsEdit.Request(
-              object, percents(percents.getText()).orElseThrow(), shading, List.of()));
+      make(panel.request(object));
     }
-  }
-
-  private static Optional<String> complaint(String text, boolean shading) {
-    Optional<List<Double>> percents = percents(text);
-    if (percents.isEmpty()) {
-      return Optional.of(
-          Texts.of("versions.levels.falling", String.valueOf(VersionsModel.MOST)));
-    }
-    return percents.get().isEmpty() && !shading
-        ? Optional.of(Texts.of("versions.levels.none"))
-        : Optional.empty();
-  }
-
-  /** Returns a few falling numbers between 100 and 0, with commas; empty for anything else. */
-  static Optional<List<Double>> percents(String text) {
-    List<Double> percents = new ArrayList<>();
-    double before = 100;
-    for (String word : Stream.of(text.split("[,;\\s%]+")).filter(w -> !w.isEmpty()).toList()) {
-      try {
-        double percent = Double.parseDouble(word);
-        if (!(percent > 0 && percent < before)) {
-          return Optional.empty();
-        }
-        before = percent;
-        percents.add(percent);
-      } catch (NumberFormatException e) {
-        return Optional.empty();
-      }
-    }
-    return percents.size() > VersionsModel.MOST ? Optional.empty() : Optional.of(percents);
   }
 
   /** What was planned, and the problems found. */

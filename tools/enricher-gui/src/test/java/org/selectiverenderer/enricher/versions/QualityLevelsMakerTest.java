@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import javax.imageio.ImageIO;
+import javax.swing.JTextField;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.authoring.enrichment.EnrichedField;
@@ -23,6 +24,7 @@ import org.selectiverenderer.enricher.robot.TestSessions;
 import org.selectiverenderer.enricher.session.EnricherSession;
 import org.selectiverenderer.enricher.task.TaskExecutor;
 import org.selectiverenderer.testing.Eventually;
+import org.selectiverenderer.testing.robot.GuiRobot;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 class QualityLevelsMakerTest {
@@ -66,18 +68,18 @@ class QualityLevelsMakerTest {
 
   @Test
   void percentsFallFromBelowAHundred() {
-    assertThat(QualityLevelsMaker.percents("50, 25")).contains(List.of(50.0, 25.0));
-    assertThat(QualityLevelsMaker.percents("50 % 12.5 %")).contains(List.of(50.0, 12.5));
-    assertThat(QualityLevelsMaker.percents(" ")).contains(List.of());
-    assertThat(QualityLevelsMaker.percents("25, 50")).isEqualTo(Optional.empty());
-    assertThat(QualityLevelsMaker.percents("100")).isEqualTo(Optional.empty());
-    assertThat(QualityLevelsMaker.percents("half")).isEqualTo(Optional.empty());
+    assertThat(QualityLevelsPanel.percents("50, 25")).contains(List.of(50.0, 25.0));
+    assertThat(QualityLevelsPanel.percents("50 % 12.5 %")).contains(List.of(50.0, 12.5));
+    assertThat(QualityLevelsPanel.percents(" ")).contains(List.of());
+    assertThat(QualityLevelsPanel.percents("25, 50")).isEqualTo(Optional.empty());
+    assertThat(QualityLevelsPanel.percents("100")).isEqualTo(Optional.empty());
+    assertThat(QualityLevelsPanel.percents("half")).isEqualTo(Optional.empty());
   }
 
   @Test
   void moreLevelsThanTheDialogOfVersionsHasAreRefused() {
-    assertThat(QualityLevelsMaker.percents("90 80 70 60 50 40 30 20")).isPresent();
-    assertThat(QualityLevelsMaker.percents("90 80 70 60 50 40 30 20 10")).isEmpty();
+    assertThat(QualityLevelsPanel.percents("90 80 70 60 50 40 30 20")).isPresent();
+    assertThat(QualityLevelsPanel.percents("90 80 70 60 50 40 30 20 10")).isEmpty();
   }
 
   @Test
@@ -120,6 +122,47 @@ class QualityLevelsMakerTest {
             "scene.x3d:1:174: no url of this ImageTexture is a file of this scene; it gets no smaller"
                 + " picture");
     assertThat(Files.exists(folder.resolve("wood_50.png"))).isTrue();
+  }
+
+  @Test
+  void schemasOfLevelsThatAreReplacedStayUnlessTheAuthorSaysOtherwise() throws IOException {
+    TestSessions.theme(false);
+    String level =
+        "<MetadataSet containerField='value'><MetadataString containerField='value'"
+            + " name='schemaBelonginess' value='\"%s\"'/><MetadataString containerField='value'"
+            + " name='value' value='\"wood.png\"'/></MetadataSet>";
+    EnricherSession session =
+        TestSessions.with(
+            folder,
+            "<Switch DEF='Switch_Chest' whichChoice='0'><MetadataSet containerField='metadata'>"
+                + "<MetadataSet containerField='metadata' name='fieldQualities'>"
+                + "<MetadataSet containerField='value'><MetadataString containerField='value'"
+                + " name='quality' value='\"textures\"'/><MetadataString containerField='value'"
+                + " name='field' value='\"Wood.url\"'/>"
+                + level.formatted("Hall")
+                + level.formatted("Attic")
+                + "</MetadataSet></MetadataSet></MetadataSet>"
+                + CHEST.replace("<ImageTexture", "<ImageTexture DEF='Wood'")
+                + "</Switch>");
+    QualityLevelsPanel panel =
+        EventThread.get(
+            () -> new QualityLevelsPanel(session.enrichment().switches().get(0).fields()));
+    JTextField schemas = GuiRobot.named(panel, "Schemas, the best level's first", JTextField.class);
+    JTextField percents = GuiRobot.named(panel, "Sides of textures in percent", JTextField.class);
+    assertThat(EventThread.get(() -> schemas.getText())).isEqualTo("Hall, Attic");
+    assertThat(EventThread.get(panel::complaint))
+        .contains("Name 3 schemas, one for each level, or none; there are 2");
+    EventThread.edt(() -> percents.setText("50"));
+    assertThat(EventThread.get(panel::complaint)).isEmpty();
+    assertThat(EventThread.get(() -> panel.request("Switch_Chest")).schemas())
+        .containsExactly("Hall", "Attic");
+    EventThread.edt(
+        () -> {
+          percents.setText("50, 25");
+          schemas.setText("");
+        });
+    assertThat(EventThread.get(panel::complaint)).isEmpty();
+    EventThread.edt(session::dispose);
   }
 
   private static final String CHEST =
