@@ -240,7 +240,8 @@ switching() { # OUT: at the begin, in the middle and at the end of a cross-fade,
     pictures+=("$tmp/fade-$n.png")
     n=$((n + 1))
   done
-  convert "${pictures[@]}" +append -depth 8 "$1"
+  convert "${pictures[@]}" +append "$tmp/fade.png"
+  small "$tmp/fade.png" "$1" -depth 8
 }
 
 labelled() { # FILE WORDS: words below a picture
