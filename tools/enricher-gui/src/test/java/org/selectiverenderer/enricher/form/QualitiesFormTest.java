@@ -130,6 +130,11 @@ class QualitiesFormTest {
       assertThat(undo(window)).isEqualTo("Add the quality textures to Switch_Bin");
       JTextComponent first = (JTextComponent) window.named("Value of level 1 of quality 2");
       assertThat(text(first)).isEqualTo("\"wall.png\"");
+      assertThat(outline(first)).isNull();
+      Component second = window.named("Value of level 2 of quality 2");
+      assertThat(outline(second)).isEqualTo("error");
+      assertThat(second.getAccessibleContext().getAccessibleDescription())
+          .isEqualTo("Level 1 has this value already: the two levels look the same");
       JComboBox<?> quality = (JComboBox<?>) window.named("Quality 2");
       assertThat(EventThread.get(() -> quality.getSelectedItem())).isEqualTo("textures");
       EventThread.edt(((AbstractButton) window.named("Remove quality 1"))::doClick);
