@@ -38,7 +38,7 @@ record QualityLevelWriter(Console console, boolean dry, Path scene, Path output)
     Optional<QualityVersionsEdit.Plan> planned;
     try {
       planned =
-          new QualityVersionsEdit(file.document(), catalogue, scene, access, problems)
+          new QualityVersionsEdit(file.document(), catalogue, scene, output, access, problems)
               .plan(request, PictureReducer::reduced);
     } catch (EditRejectedException e) {
       console.message(e.getMessage());

@@ -78,6 +78,36 @@ class EnrichCommandTest {
     return Files.writeString(folder.resolve("cup.x3d"), SCENE);
   }
 
+  @Test
+  void aScaleReachesTheLastVersionAndValidates() throws IOException {
+    Path scene =
+        Files.writeString(
+            folder.resolve("cup.x3d"),
+            """
+            <?xml version='1.0' encoding='UTF-8'?>
+            <X3D profile='Immersive' version='3.3'><Scene>
+              <Viewpoint position='0 0 4'/>
+              <ProximitySensor DEF='DeskProx' size='9 9 9'/>
+              <Shape DEF='Cup'><Appearance><Material/></Appearance><Sphere/></Shape>
+            </Scene></X3D>
+            """);
+    run("versions", scene.toString(), "--object", "Cup", "--vert-percent", "60,35,10");
+    Path ratings = folder.resolve("r.csv");
+    Files.writeString(ratings, "object,schema,rating\nCup,DeskSchema,3\n");
+    assertThat(
+            run("enrich", scene.toString(), "--ratings", ratings.toString(), "--rating-scale",
+                "linear"))
+        .as(err)
+        .isZero();
+
+    assertThat(Files.readString(scene)).contains("\"0.3333\"", "\"0.6667\"", "\"high\"");
+    run("validate", scene.toString());
+    assertThat(out).doesNotContain("SR409", "SR416", "SR417");
+    Path walk = Files.writeString(folder.resolve("walk.csv"), "t,x,y,z\n0,0,0,0\n1,0,0,0\n");
+    run("simulate", scene.toString(), "--path", walk.toString(), "--quality", "polygons=low");
+    assertThat(out).contains("start   Switch_Cup: choice 3");
+  }
+
   private Path table(String rows) throws IOException {
     return Files.writeString(folder.resolve("m.csv"), "node,choice,field,value\n" + rows);
   }

@@ -199,6 +199,37 @@ class QualityLevelsTest {
   }
 
   @Test
+  void aPictureThatAnotherSceneShowsStaysAndTheNewOneHasAnotherName() throws IOException {
+    write(SOFA);
+    versions("--object", "Sofa", "--texture-percent", "50");
+    Path smaller = folder.resolve("wood_50.png");
+    Files.copy(folder.resolve("wood.png"), smaller, StandardCopyOption.REPLACE_EXISTING);
+    byte[] painted = Files.readAllBytes(smaller);
+    String before = Files.readString(scene);
+    Path other = folder.resolve("other.x3d");
+    String[] again = {
+      "--object", "Switch_Sofa", "--texture-percent", "50", "--output", other.toString()
+    };
+
+    for (int i = 0; i < 2; i++) {
+      assertThat(versions(again)).as(err).isZero();
+      assertThat(Files.readAllBytes(smaller)).isEqualTo(painted);
+      assertThat(folder.resolve("wood_50.png.bak")).doesNotExist();
+      assertThat(Files.readString(scene)).isEqualTo(before);
+      assertThat(Files.readString(other)).contains("wood_50_2.png").doesNotContain("wood_50.png");
+      assertThat(image("wood_50_2.png").getWidth()).isEqualTo(20);
+      assertThat(folder.resolve("wood_50_3.png")).doesNotExist();
+    }
+    assertThat(out).contains("unchanged  ", "wood_50_2.png");
+
+    // In place, too, what the other scene shows stays.
+    Files.writeString(other, Files.readString(scene));
+    assertThat(versions("--object", "Switch_Sofa", "--texture-percent", "50")).as(err).isZero();
+    assertThat(Files.readAllBytes(smaller)).isEqualTo(painted);
+    assertThat(Files.readString(scene)).contains("wood_50_2.png");
+  }
+
+  @Test
   void aDryRunWritesNothing() throws IOException {
     write(SOFA);
     String before = Files.readString(scene);

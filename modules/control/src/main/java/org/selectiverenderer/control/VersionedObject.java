@@ -49,7 +49,9 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
 
   private List<ControlProblem> problems = List.of();
   private Optional<SwitchSchemas> schemas = Optional.empty();
+  private List<FieldQuality> qualities = List.of();
   private List<ControlledField> fields = List.of();
+  private List<ControlProblem> fieldProblems = List.of();
   private final int atStart;
   private int shown;
   private int called;
@@ -121,21 +123,50 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
     Optional<SaiMetadata> metadata = watch.read();
     schemas = metadata.flatMap(m -> cache.object(m, node.getNumChildren(), warning));
     fields.forEach(ControlledField::close);
-    fields =
-        metadata.map(new SchemaReader(warning)::fieldQualities).orElse(List.of()).stream()
-            .flatMap(quality -> field(quality).stream())
-            .toList();
+    fields = List.of();
+    qualities = metadata.map(new SchemaReader(warning)::fieldQualities).orElse(List.of());
+    findFields();
     calledFor(called);
   }
 
-  private Optional<ControlledField> field(FieldQuality quality) {
-    return ControlledField.find(
-        this,
-        scope,
-        quality,
-        turn,
-        onForeignLevel,
-        message -> add(ControlProblem.warning(name(), node, message)));
+  /** Returns whether a field that is a quality has not been found. */
+  boolean fieldsMissing() {
+    return fields.size() < qualities.size();
+  }
+
+  /** Returns whether a node may have come, or been replaced, whose field is a quality. */
+  boolean fieldsMayDiffer() {
+    return fieldsMissing() || fields.stream().anyMatch(field -> field.replaced(scope));
+  }
+
+  /** Looks for the nodes whose fields are qualities; keeps the fields whose nodes are the same. */
+  void findFields() {
+    if (qualities.isEmpty()) { // as most objects have none
+      fieldProblems = List.of();
+      return;
+    }
+    List<ControlProblem> wrong = new ArrayList<>();
+    List<ControlledField> found = new ArrayList<>();
+    for (FieldQuality quality : qualities) {
+      Optional<ControlledField> known =
+          fields.stream()
+              .filter(field -> field.quality() == quality && !field.replaced(scope))
+              .findFirst();
+      known
+          .or(
+              () ->
+                  ControlledField.find(
+                      this,
+                      scope,
+                      quality,
+                      turn,
+                      onForeignLevel,
+                      message -> wrong.add(ControlProblem.warning(name(), node, message))))
+          .ifPresent(found::add);
+    }
+    fields.stream().filter(field -> !found.contains(field)).forEach(ControlledField::close);
+    fields = List.copyOf(found);
+    fieldProblems = List.copyOf(wrong);
   }
 
   /** Returns the fields whose values are qualities of the object. */
@@ -248,7 +279,9 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
   }
 
   List<ControlProblem> problems() {
-    return problems;
+    return fieldProblems.isEmpty()
+        ? problems
+        : Stream.concat(problems.stream(), fieldProblems.stream()).toList();
   }
 
   /** Removes all listeners from the Switch. */

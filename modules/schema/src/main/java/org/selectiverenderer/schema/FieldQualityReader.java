@@ -119,7 +119,8 @@ final class FieldQualityReader {
         string(level, VALUE)
             .ifPresentOrElse(
                 value ->
-                    levels.add(new FieldLevel(reader.read(levels.size(), level), value.values())),
+                    levels.add(
+                        new FieldLevel(reader.read(levels.size(), level, false), value.values())),
                 () ->
                     report(
                         Kind.NO_VALUE,

@@ -15,7 +15,11 @@ final class VersionMetadataReader {
     this.problems = problems;
   }
 
-  VersionMetadata read(int index, MetadataNode set) {
+  /**
+   * @param shown whether any choice of the Switch names a schema; a choice with a degree alone is
+   *     then a level of a scale, which conditions may show
+   */
+  VersionMetadata read(int index, MetadataNode set, boolean shown) {
     SchemaMetadata words = SchemaMetadata.of(set);
     if (!words.hasAny(Owner.CHOICE)) {
       return VersionMetadata.undescribed(index); // keeps the index of a choice that no schema shows
@@ -36,7 +40,8 @@ final class VersionMetadataReader {
             "low, high or a number from 0 to 1");
     List<String> schemas = words.values(SchemaField.SCHEMA_BELONGINESS);
     boolean frame = type.filter(ConsistencyType.FRAME::equals).isPresent();
-    if (schemas.isEmpty() && !frame) {
+    boolean level = shown && type.isEmpty() && degree.isPresent();
+    if (schemas.isEmpty() && !frame && !level) {
       problems.accept(
           new SchemaProblem(
               Kind.NO_SCHEMA, "the metadata names no schema; nothing activates this choice", set));

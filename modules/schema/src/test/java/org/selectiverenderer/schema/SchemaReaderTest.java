@@ -162,6 +162,15 @@ class SchemaReaderTest {
     }
 
     @Test
+    void aDegreeAloneIsALevelOfAScaleWhereAnotherChoiceNamesASchema() {
+      TestMetadataNode level = set(string("degreeOfConsistency", "high"));
+      TestMetadataNode shown = choice("inconsistent", "low", "Desk");
+
+      assertThat(reader.switchNode(set(shown, level), 2).orElseThrow().leastDetailed()).isOne();
+      assertThat(problems).isEmpty();
+    }
+
+    @Test
     void doesNotExpectASchemaOfAFrameObject() {
       reader.switchNode(set(set(string("typeOfConsistency", "Frame"))), 1);
 

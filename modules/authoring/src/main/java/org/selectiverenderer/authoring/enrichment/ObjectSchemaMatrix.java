@@ -173,6 +173,14 @@ public final class ObjectSchemaMatrix {
         put.add(choice);
       }
     }
-    return put;
+    if (put.stream().allMatch(choice -> choice.schemas().isEmpty())) {
+      // Nothing chooses among the levels of a scale any more.
+      return put.stream()
+          .map(choice -> choice.type().isPresent() ? choice : ChoiceMetadata.NONE)
+          .toList();
+    }
+    return version >= 0 && VersionDegreeMapping.isScale(put)
+        ? VersionDegreeMapping.complete(put)
+        : put;
   }
 }

@@ -3,6 +3,7 @@ package org.selectiverenderer.authoring.enrichment;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.schema.ConsistencyType;
 
@@ -12,13 +13,16 @@ import org.selectiverenderer.schema.ConsistencyType;
  * spaced evenly (thesis 4.2.1, 7.2). Degrees in the metadata take precedence.
  */
 public final class VersionDegreeMapping {
+  /** Distances this near are equal, as those of rounded thirds to 1/2. */
+  private static final double EQUAL = 2e-4;
+
   private VersionDegreeMapping() {}
 
-  /** Returns the degree of a version without metadata. */
+  /** Returns the degree of a version without metadata, in at most four decimals. */
   public static ConsistencyDegree degree(int index, int versions) {
     return versions < 2
         ? ConsistencyDegree.LOW
-        : new ConsistencyDegree((double) index / (versions - 1));
+        : new ConsistencyDegree(DecimalRounding.to(4, (double) index / (versions - 1)));
   }
 
   /** Returns the version whose degree is nearest; of two equally near the more detailed one. */
@@ -28,12 +32,42 @@ public final class VersionDegreeMapping {
     for (int i = 0; i < choices.size(); i++) {
       ConsistencyDegree own = choices.get(i).degree().orElse(degree(i, choices.size()));
       double far = Math.abs(own.value() - wanted.value());
-      if (far < distance) {
+      if (far < distance - EQUAL || far == 0 && distance > 0) {
         best = i;
         distance = far;
       }
     }
     return best;
+  }
+
+  /**
+   * Fills in the missing degrees of an object's versions, so that its least detailed version stays
+   * the last. A degree lies between those before and behind it that are there.
+   */
+  public static List<ChoiceMetadata> complete(List<ChoiceMetadata> choices) {
+    List<ChoiceMetadata> complete = new ArrayList<>();
+    ConsistencyDegree before = ConsistencyDegree.LOW;
+    for (int i = 0; i < choices.size(); i++) {
+      ConsistencyDegree most =
+          choices.subList(i, choices.size()).stream()
+              .flatMap(choice -> choice.degree().stream())
+              .findFirst()
+              .orElse(ConsistencyDegree.HIGH);
+      ConsistencyDegree even = degree(i, choices.size());
+      ConsistencyDegree least = before.compareTo(even) > 0 ? before : even;
+      ConsistencyDegree own =
+          choices.get(i).degree().orElse(least.compareTo(most) < 0 ? least : most);
+      complete.add(choices.get(i).with(own));
+      before = own;
+    }
+    return complete;
+  }
+
+  /** Returns whether an object's degrees form a scale: one lies between the least and the most. */
+  public static boolean isScale(List<ChoiceMetadata> choices) {
+    return choices.stream()
+        .flatMap(choice -> choice.degree().stream())
+        .anyMatch(degree -> degree.value() > 0 && degree.value() < 1);
   }
 
   /** Adds a schema to the metadata of a choice; missing type and degree are filled in. */

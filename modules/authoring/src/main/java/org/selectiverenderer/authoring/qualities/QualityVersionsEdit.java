@@ -14,6 +14,7 @@ import org.selectiverenderer.authoring.enrichment.FieldQualityEdits;
 import org.selectiverenderer.authoring.switches.SwitchEdits;
 import org.selectiverenderer.authoring.versions.ComposedEdit;
 import org.selectiverenderer.authoring.versions.PlannedFile;
+import org.selectiverenderer.authoring.versions.ReferencingScenes;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.schema.FieldQuality;
@@ -38,6 +39,7 @@ public final class QualityVersionsEdit {
   private final NodeCatalogue catalogue;
   private final Path scene;
   private final UrlResolver urls;
+  private final ReferencingScenes others;
   private final ProblemCollector problems;
 
   /**
@@ -75,16 +77,29 @@ public final class QualityVersionsEdit {
     }
   }
 
+  /** Begins an edit of a document's present state, which is written to its own file. */
+  public QualityVersionsEdit(
+      SceneDocument document,
+      NodeCatalogue catalogue,
+      Path scene,
+      ContentAccessPolicy access,
+      ProblemCollector problems)
+      throws IOException {
+    this(document, catalogue, scene, scene, access, problems);
+  }
+
   /**
    * Begins an edit of a document's present state.
    *
    * @param scene its file, against whose folder urls are resolved
+   * @param output the changed scene's file, in the same folder
    * @param problems receives what is left out, with its place
    */
   public QualityVersionsEdit(
       SceneDocument document,
       NodeCatalogue catalogue,
       Path scene,
+      Path output,
       ContentAccessPolicy access,
       ProblemCollector problems)
       throws IOException {
@@ -95,6 +110,7 @@ public final class QualityVersionsEdit {
     this.catalogue = catalogue;
     this.scene = scene.toAbsolutePath().normalize();
     this.urls = new UrlResolver(folder(), access);
+    this.others = new ReferencingScenes(scene, output);
     this.problems = problems;
   }
 
@@ -148,7 +164,14 @@ public final class QualityVersionsEdit {
     QualityLevels textures =
         request.percents().isEmpty()
             ? none
-            : new TextureLevels(copy, names, folder(), urls, scaler, problems)
+            : new TextureLevels(
+                    copy,
+                    names,
+                    folder(),
+                    urls,
+                    scaler,
+                    others,
+                    problems)
                 .of(element, request.percents(), request.schemas(), name);
     return request.shading().isEmpty()
         ? textures

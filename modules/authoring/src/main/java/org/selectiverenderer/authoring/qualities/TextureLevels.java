@@ -11,13 +11,16 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.enrichment.FieldQualityEdits;
 import org.selectiverenderer.authoring.versions.PlannedFile;
+import org.selectiverenderer.authoring.versions.ReferencingScenes;
 import org.selectiverenderer.base.decimal.DecimalRounding;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.schema.FieldQuality;
 import org.selectiverenderer.schema.FieldReference;
 import org.selectiverenderer.schema.Quality;
@@ -34,6 +37,7 @@ final class TextureLevels {
   private final Path folder;
   private final UrlResolver urls;
   private final PictureScaler scaler;
+  private final ReferencingScenes others;
   private final ProblemCollector problems;
   private final Map<Path, PlannedFile> files = new HashMap<>();
 
@@ -46,12 +50,14 @@ final class TextureLevels {
       Path folder,
       UrlResolver urls,
       PictureScaler scaler,
+      ReferencingScenes others,
       ProblemCollector problems) {
     this.document = document;
     this.names = names;
     this.folder = folder;
     this.urls = urls;
     this.scaler = scaler;
+    this.others = others;
     this.problems = problems;
   }
 
@@ -120,20 +126,33 @@ final class TextureLevels {
     String ending = dot < 0 ? "" : name.substring(dot).toLowerCase(Locale.ROOT);
     boolean jpeg = List.of(".jpg", ".jpeg", ".jpe").contains(ending);
     String base = dot < 0 ? name : name.substring(0, dot);
-    String number = DecimalRounding.to(3, percent) + "";
-    Path to =
-        picture.resolveSibling(
-            base + "_" + number.replaceFirst("\\.0$", "") + (jpeg ? ending : ".png"));
-    String url = UrlRelativizer.between(folder, to);
-    Path original = originals.putIfAbsent(to, picture);
-    if (original != null && !original.equals(picture)) {
-      throw new IOException(
-          "%s and %s would both become %s; rename one of them".formatted(original, picture, to));
-    }
-    if (!files.containsKey(to)) {
-      byte[] content = scaler.scaled(picture, percent);
+    String number = (DecimalRounding.to(3, percent) + "").replaceFirst("\\.0$", "");
+    byte[] content = null;
+    for (int attempt = 1; ; attempt++) {
+      Path to =
+          picture.resolveSibling(
+              base + "_" + number + (attempt == 1 ? "" : "_" + attempt) + (jpeg ? ending : ".png"));
+      String url = UrlRelativizer.between(folder, to);
+      Path original = originals.putIfAbsent(to, picture);
+      if (original != null && !original.equals(picture)) {
+        throw new IOException(
+            "%s and %s would both become %s; rename one of them".formatted(original, picture, to));
+      }
+      if (files.containsKey(to)) {
+        return url;
+      }
+      content = content == null ? scaler.scaled(picture, percent) : content;
       boolean there = Files.exists(to, LinkOption.NOFOLLOW_LINKS);
       boolean same = there && Files.isRegularFile(to) && same(content, to);
+      Optional<Path> other = there && !same ? others.of(to) : Optional.empty();
+      if (other.isPresent()) {
+        problems.info(
+            SourceLocation.of(to.toString()),
+            "%s shows the picture, so it stays as it is; the level gets another"
+                .formatted(other.get()));
+        originals.remove(to);
+        continue;
+      }
       if (there && !same && !known.contains(url)) {
         throw new IOException(
             to + " exists already and is another picture; move it away, or choose another percent");
@@ -147,8 +166,8 @@ final class TextureLevels {
                   ? PlannedFile.State.UNCHANGED
                   : there ? PlannedFile.State.CHANGED : PlannedFile.State.NEW,
               there && !same)); // it may have been painted over
+      return url;
     }
-    return url;
   }
 
   private static boolean same(byte[] content, Path file) throws IOException {

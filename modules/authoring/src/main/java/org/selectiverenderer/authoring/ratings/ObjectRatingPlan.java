@@ -45,7 +45,7 @@ final class ObjectRatingPlan {
     int last = node.choices().size() - 1;
     List<ChoiceMetadata> choices = new ArrayList<>(node.values());
     choices.set(last, scale.values(last, node.values()).with(List.of(schema)));
-    return new Row(node, Optional.empty(), List.of(), choices);
+    return new Row(node, Optional.empty(), List.of(), scale.complete(choices));
   }
 
   /**
@@ -71,6 +71,6 @@ final class ObjectRatingPlan {
         choices.add(scale.values(i, node.values()).with(schemas));
       }
     }
-    return choices;
+    return scale.complete(choices);
   }
 }

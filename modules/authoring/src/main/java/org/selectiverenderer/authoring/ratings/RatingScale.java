@@ -36,6 +36,14 @@ public enum RatingScale {
           .with(type)
           .with(VersionDegreeMapping.degree(version, choices.size()));
     }
+
+    @Override
+    List<ChoiceMetadata> complete(List<ChoiceMetadata> choices) {
+      // A version between the first and the last would else be the most consistent one.
+      return VersionDegreeMapping.isScale(choices)
+          ? VersionDegreeMapping.complete(choices)
+          : choices;
+    }
   },
 
   /**
@@ -60,6 +68,11 @@ public enum RatingScale {
           degree.value() >= 0.5 ? ConsistencyType.CONSISTENT : ConsistencyType.INCONSISTENT;
       return ChoiceMetadata.NONE.with(type).with(degree);
     }
+
+    @Override
+    List<ChoiceMetadata> complete(List<ChoiceMetadata> choices) {
+      return VersionDegreeMapping.complete(choices);
+    }
   };
 
   private static final double LEAST = 1;
@@ -79,4 +92,10 @@ public enum RatingScale {
 
   /** Returns the type and degree of a version that ratings imply. */
   abstract ChoiceMetadata values(int version, List<ChoiceMetadata> choices);
+
+  /**
+   * Fills in the degrees of versions that no rating chooses, where those that are chosen have a
+   * place among them.
+   */
+  abstract List<ChoiceMetadata> complete(List<ChoiceMetadata> choices);
 }

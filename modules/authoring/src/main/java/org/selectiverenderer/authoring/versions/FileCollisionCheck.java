@@ -12,20 +12,30 @@ import org.selectiverenderer.x3d.write.XmlAttributeEscaper;
 
 /**
  * Finds existing files that must not be overwritten: those not known to contain a version of this
- * object.
+ * object, and those that another scene shows.
  */
 final class FileCollisionCheck {
   private final VersionsEdit.Request request;
   private final ObjectElements site;
   private final List<Path> own;
+  private final ReferencingScenes others;
 
   /**
-   * @param own the files of the object's existing versions, the original first
+   * A file that must not be overwritten.
+   *
+   * @param shownBy the scene that shows the version; empty if the file is none of this object
+   */
+  record Collision(PlannedFile file, Optional<Path> shownBy) {}
+
+  /**
+   * @param own the files of the object's existing versions in the output, the original first; none
+   *     where the output has none yet
    */
   FileCollisionCheck(VersionsEdit.Request request, ObjectElements site, List<Path> own) {
     this.request = request;
     this.site = site;
     this.own = List.copyOf(own);
+    this.others = new ReferencingScenes(request.scene(), request.output());
   }
 
   /** Returns the beginning of the description in a reduced version, by which it is recognised. */
@@ -38,14 +48,19 @@ final class FileCollisionCheck {
    *
    * @param planned the versions to be written, in order
    */
-  Optional<PlannedFile> in(List<PlannedFile> planned) throws IOException {
+  Optional<Collision> in(List<PlannedFile> planned) throws IOException {
     for (PlannedFile file : planned) {
       Matcher name = ObjectFinder.VERSION_URL.matcher(file.file().toString());
       int number = name.matches() ? Integer.parseInt(name.group(2)) : 1;
       boolean scenes = same(file, request.output()) || same(file, request.scene());
       boolean known = number > 1 && (own(file, number) || reduced(site, file.file(), number));
-      if (scenes || VersionFileNames.taken(file) && !known) {
-        return Optional.of(file);
+      boolean taken = VersionFileNames.taken(file);
+      if (scenes || taken && !known) {
+        return Optional.of(new Collision(file, Optional.empty()));
+      }
+      Optional<Path> other = taken ? others.of(file.file()) : Optional.empty();
+      if (other.isPresent()) {
+        return Optional.of(new Collision(file, other));
       }
     }
     return Optional.empty();

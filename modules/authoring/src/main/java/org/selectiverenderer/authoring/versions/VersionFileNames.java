@@ -61,16 +61,19 @@ final class VersionFileNames {
   }
 
   /**
-   * Returns the same files, where new ones have the name chosen by the author.
+   * Returns the same files, where new ones have the name chosen by the author; those of later
+   * attempts have a name of their own.
    *
    * @param kept numbers of the versions that are kept
    */
   List<Path> of(int count, int attempt, Set<Integer> kept) {
     List<Path> files = new ArrayList<>(of(count, attempt));
-    if (site instanceof ObjectElements.Versioned versioned && !name.isEmpty()) {
+    if (site instanceof ObjectElements.Versioned versioned && (!name.isEmpty() || attempt > 1)) {
       String url = url(versioned, 0);
       String folder = url.substring(0, url.lastIndexOf('/') + 1);
-      List<Path> named = files(outputFolder, folder + safe(name, ROOM), ending(url), count);
+      String base = name.isEmpty() ? base(url) : folder + safe(name, ROOM);
+      List<Path> named =
+          files(outputFolder, base + (attempt == 1 ? "" : attempt), ending(url), count);
       for (int number = 2; number <= count; number++) {
         if (!kept.contains(number)) {
           files.set(number - 1, named.get(number - 1));

@@ -185,31 +185,30 @@ final class VersionsPlanner {
               .formatted(request.object(), e.getMessage()));
       return Optional.empty();
     }
-    FileCollisionCheck foreign = new FileCollisionCheck(request, site, own());
+    FileCollisionCheck foreign =
+        new FileCollisionCheck(request, site, elsewhere() ? List.of() : own());
     int attempt = 1;
     List<Path> files = names.of(goals.size() + 1, attempt, request.kept());
     List<PlannedFile> planned = planned(files, nodes, model, size, reduced);
-    Optional<PlannedFile> inTheWay = foreign.in(planned);
-    if (inTheWay.isPresent() && site instanceof ObjectElements.Versioned) {
+    Optional<FileCollisionCheck.Collision> inTheWay = foreign.in(planned);
+    if (site instanceof ObjectElements.Versioned
+        && inTheWay.isPresent()
+        && inTheWay.get().shownBy().isEmpty()) {
       problems.error(
-          SourceLocation.of(inTheWay.get().file().toString()),
+          SourceLocation.of(inTheWay.get().file().file().toString()),
           ("the file exists already and is not a version of the object '%s'; move it "
                   + "away first; nothing has been changed")
               .formatted(request.object()));
       return Optional.empty();
     }
-    Optional<PlannedFile> first = inTheWay;
+    Optional<FileCollisionCheck.Collision> first = inTheWay;
     while (inTheWay.isPresent()) {
       files = names.of(goals.size() + 1, ++attempt, request.kept());
       planned = planned(files, nodes, model, size, reduced);
       inTheWay = foreign.in(planned);
     }
     if (first.isPresent()) {
-      problems.info(
-          SourceLocation.of(first.get().file().toString()),
-          ("the file exists already and is not a version of '%1$s'; the versions of '%1$s' are "
-                  + "named %2$s and so on")
-              .formatted(request.object(), files.get(0).getFileName()));
+      tellOfNames(first.get(), files);
     }
     List<ObjectVersion> versions = new ArrayList<>();
     versions.add(new ObjectVersion(1, files.get(0), size.vertices(), size.polygons(), 0, true));
@@ -244,6 +243,21 @@ final class VersionsPlanner {
     PlannedFile changed = planned(request.output(), scene.snapshot().bytes(edit), false);
     return Optional.of(
         new VersionsEdit(scene.snapshot(), request.object(), versions, planned, changed, edit));
+  }
+
+  private void tellOfNames(FileCollisionCheck.Collision collision, List<Path> files) {
+    int number = site instanceof ObjectElements.Versioned ? 2 : 1;
+    problems.info(
+        SourceLocation.of(collision.file().file().toString()),
+        collision
+                .shownBy()
+                .map(scene -> "%s shows the file, so it stays as it is".formatted(scene))
+                .orElse(
+                    "the file exists already and is not a version of '%s'"
+                        .formatted(request.object()))
+            + "; the versions of '%s' are named %s and so on"
+                .formatted(
+                    request.object(), files.get(Math.min(number, files.size()) - 1).getFileName()));
   }
 
   private boolean kept(int number) {

@@ -2,6 +2,7 @@ package org.selectiverenderer.authoring.ratings;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.within;
 
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
@@ -97,7 +98,7 @@ class RatingPlanTest {
     scene.perform(plan(scene, "a,Room,3.1\nb,Room,3.9\n").edit("Import"));
     assertThat(scene.switchNode("Switch_A").values().get(1).schemas()).containsExactly("Room");
     assertThat(scene.switchNode("Switch_B").values().get(2))
-        .isEqualTo(HIGH.with(new ConsistencyDegree(2.0 / 3)).with(List.of("Room")));
+        .isEqualTo(HIGH.with(new ConsistencyDegree(0.6667)).with(List.of("Room")));
   }
 
   @Test
@@ -172,6 +173,45 @@ class RatingPlanTest {
     assertThat(choices.get(version).degree()).contains(new ConsistencyDegree(degree));
     assertThat(choices.get(version).type())
         .contains(degree >= 0.5 ? ConsistencyType.CONSISTENT : ConsistencyType.INCONSISTENT);
+  }
+
+  /** A scale has as many levels as the object has versions: all of them keep their degrees. */
+  @ParameterizedTest
+  @CsvSource({"2, 1", "3, 3.5", "4, 1", "4, 3", "4, 6", "5, 4.2"})
+  void onAScaleAllVersionsHaveTheirDegrees(int versions, double rating) {
+    EnrichmentScenes scene = EnrichmentScenes.with(object("Cup", versions) + object("Jug", 3));
+    Ratings ratings = ratings("Cup,Desk," + rating + "\n").orElseThrow();
+    scene.perform(
+        RatingPlan.of(
+                scene.enrichment,
+                ratings,
+                new ObjectNameMatcher(ratings.means().keySet(), scene.enrichment.switches()),
+                true,
+                RatingScale.LINEAR)
+            .edit("Import"));
+
+    List<ChoiceMetadata> choices = scene.switchNode("Switch_Cup").values();
+    assertThat(choices).hasSize(versions);
+    for (int i = 0; i < versions; i++) {
+      assertThat(choices.get(i).degree().orElseThrow().value())
+          .isEqualTo((double) i / (versions - 1), within(1e-4));
+      assertThat(choices.get(i).type().isPresent()).isEqualTo(!choices.get(i).schemas().isEmpty());
+    }
+    assertThat(scene.document.text()).doesNotContainPattern("\\d\\.\\d{5}");
+    assertThat(scene.switchNode("Switch_Jug").values())
+        .extracting(choice -> choice.degree().map(ConsistencyDegree::spelling).orElse(""))
+        .as("follows the room, on the same scale")
+        .containsExactly("low", "0.5", "high");
+  }
+
+  /** A version between the first and the last needs theirs beside it, by the bands too. */
+  @Test
+  void byBandsAVersionBetweenHasTheOthersDegreesBesideIt() {
+    EnrichmentScenes scene = EnrichmentScenes.with(object("A", 4));
+    scene.perform(plan(scene, "a,Room,3.1\n").edit("Import"));
+    assertThat(scene.switchNode("Switch_A").values())
+        .extracting(choice -> choice.degree().map(ConsistencyDegree::spelling).orElse(""))
+        .containsExactly("low", "0.3333", "0.6667", "high");
   }
 
   /** By the bands, 4.2 is an expected object, however many versions there are. */

@@ -2,6 +2,7 @@ package org.selectiverenderer.authoring.ratings;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.within;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -126,10 +127,12 @@ class ViewedObjectsTest {
             .get(0)
             .choices();
     for (int i = 0; i < choices.size(); i++) {
-      if (!choices.get(i).isEmpty()) {
+      int index = i;
+      if (!choices.get(i).schemas().isEmpty()) {
         assertThat(choices.get(i).type())
             .contains(i == 0 ? ConsistencyType.INCONSISTENT : ConsistencyType.CONSISTENT);
-        assertThat(choices.get(i).degree()).contains(new ConsistencyDegree(i / 3.0));
+        assertThat(choices.get(i).degree().map(ConsistencyDegree::value))
+            .hasValueSatisfying(own -> assertThat(own).isEqualTo(index / 3.0, within(1e-4)));
         return i;
       }
     }

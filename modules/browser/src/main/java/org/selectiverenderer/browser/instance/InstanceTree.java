@@ -74,6 +74,7 @@ public final class InstanceTree {
   private long lightVersion;
   private boolean structureChanged = true;
   private Consumer<? super Node> onMoved = node -> {};
+  private Runnable onStructure = () -> {};
   private boolean cutOff;
   private ViewParameters sight = ViewParameters.NONE;
   private int instances;
@@ -196,6 +197,20 @@ public final class InstanceTree {
    */
   public void onMoved(Consumer<? super Node> listener) {
     onMoved = listener;
+  }
+
+  /**
+   * Sets the listener for changes of the structure.
+   *
+   * @param listener called at once when a group of the scene gets other children, before the tree
+   *     follows; there is only one listener
+   */
+  public void onStructure(Runnable listener) {
+    onStructure = listener;
+  }
+
+  void structureChanges() {
+    onStructure.run();
   }
 
   void plainMoved(Node node) {
@@ -349,13 +364,21 @@ public final class InstanceTree {
       cutOff = true;
       return List.of();
     }
+    if (nodes.size() == 1) {
+      return List.of(child(nodes.get(0), group, depth, atHand)); // smaller, and very many are
+    }
     List<Instance> children = new ArrayList<>(nodes.size());
     for (Node child : nodes) {
-      Deque<Instance> known = atHand.get(child);
-      Instance instance = known == null ? null : known.poll();
-      children.add(instance == null ? build(child, group, depth + 1) : instance);
+      children.add(child(child, group, depth, atHand));
     }
     return children;
+  }
+
+  private Instance child(
+      Node node, GroupInstance group, int depth, Map<Node, Deque<Instance>> atHand) {
+    Deque<Instance> known = atHand.get(node);
+    Instance instance = known == null ? null : known.poll();
+    return instance == null ? build(node, group, depth + 1) : instance;
   }
 
   /** Rebuilds the instances of a group's children; children that stay keep their instances. */
@@ -391,7 +414,7 @@ public final class InstanceTree {
       group.node().removeObserver(group);
     } else if (instance instanceof ShapeInstance shape) {
       shape.look().remove(shape);
-      if (shape.look().instances().isEmpty()) {
+      if (shape.look().unused()) {
         shape.look().dispose();
         looks.remove(shape.node());
       }

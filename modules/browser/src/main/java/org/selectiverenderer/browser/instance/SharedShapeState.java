@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem;
@@ -26,13 +27,23 @@ final class SharedShapeState implements NodeObserver {
   private final Node shape;
   private final AssetProvider assets;
   private final InstanceTree tree;
-  private List<ShapeInstance> instances = List.of();
+
+  /** The instance or, of a Shape that is USEd, the first of several; null without any. */
+  private @Nullable ShapeInstance first;
+
+  /** The further instances of a Shape that is USEd. */
+  private List<ShapeInstance> others = List.of();
+
   private List<Node> inAppearance = List.of();
   private List<Node> inGeometry = List.of();
   private ShapeReading reading;
   private final int visibleField;
   private boolean pending;
   private boolean disposed;
+
+  /** Whether the nodes in the Shape are not observed, since nobody has asked for one yet. */
+  private boolean deferred;
+
   private @Nullable Node geometry;
   private List<SoundSourceNode> films = List.of();
 
@@ -53,8 +64,15 @@ final class SharedShapeState implements NodeObserver {
     if (shape instanceof ProceduralShape formed) {
       formed.meshes(assets::mesh);
     }
-    observe();
     NodeTemplate template = shape.template();
+    ShapeReading known = template != null && shape.partsDeferred() ? readings.get(template) : null;
+    if (known != null) {
+      deferred = true;
+      shape.addObserver(this);
+      reading = known;
+      return;
+    }
+    observe();
     reading =
         template != null && isLikeTemplate()
             ? readings.computeIfAbsent(template, any -> ShapeReading.of(shape, geometry, assets))
@@ -79,27 +97,34 @@ final class SharedShapeState implements NodeObserver {
     return true;
   }
 
-  /** Returns the instances of the Shape; not to be modified. */
-  List<ShapeInstance> instances() {
-    return instances;
+  /** Returns whether the Shape is in no part of the scene. */
+  boolean unused() {
+    return first == null;
   }
 
   void add(ShapeInstance instance) {
-    if (instances.isEmpty()) {
-      instances = List.of(instance); // smaller than a list that grows
+    if (first == null) {
+      first = instance;
       return;
     }
-    if (instances.size() == 1) {
-      instances = new ArrayList<>(instances);
+    if (others.isEmpty()) {
+      others = new ArrayList<>();
     }
-    instances.add(instance);
+    others.add(instance);
   }
 
   void remove(ShapeInstance instance) {
-    if (instances.size() > 1) {
-      instances.remove(instance);
-    } else if (instances.contains(instance)) {
-      instances = List.of();
+    if (instance != first) {
+      others.remove(instance);
+    } else {
+      first = others.isEmpty() ? null : others.remove(0);
+    }
+  }
+
+  private void forEach(Consumer<ShapeInstance> action) {
+    if (first != null) {
+      action.accept(first);
+      others.forEach(action);
     }
   }
 
@@ -160,6 +185,19 @@ final class SharedShapeState implements NodeObserver {
 
   private void observe() {
     shape.addObserver(this);
+    observeParts();
+  }
+
+  /** Begins to observe the nodes in the Shape, of which one is changing. */
+  @Override
+  public void partChanges(Node node) {
+    if (deferred) {
+      observeParts();
+    }
+  }
+
+  private void observeParts() {
+    deferred = false;
     geometry = shape.node("geometry");
     if (geometry != null) {
       inGeometry = observed(geometry);
@@ -240,23 +278,25 @@ final class SharedShapeState implements NodeObserver {
     ShapeReading before = reading;
     forget();
     observe();
-    for (ShapeInstance instance : instances) {
-      boolean wanted = instance.wanted;
-      instance.show(false, tree);
-      instance.wanted = wanted;
-    }
+    forEach(
+        instance -> {
+          boolean wanted = instance.wanted;
+          instance.show(false, tree);
+          instance.wanted = wanted;
+        });
     reading = ShapeReading.of(shape, geometry, assets);
     if (reading.onScreen() != before.onScreen()
         || !films.equals(filmsBefore)
         || !reading.cubes().equals(before.cubes())) {
       tree.structureChanged();
     }
-    for (ShapeInstance instance : instances) {
-      instance.see(tree.sight());
-      instance.forgetBounds();
-      tree.changes().add(instance);
-      instance.show(instance.wanted, tree);
-    }
+    forEach(
+        instance -> {
+          instance.see(tree.sight());
+          instance.forgetBounds();
+          tree.changes().add(instance);
+          instance.show(instance.wanted, tree);
+        });
   }
 
   /** Stops observing; called when the last instance is removed. */

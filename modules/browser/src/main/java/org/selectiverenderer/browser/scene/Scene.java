@@ -125,6 +125,17 @@ public final class Scene {
     return Optional.ofNullable(named.get(name));
   }
 
+  /**
+   * Sets the DEF names of a file, which the scenes of the file share until one changes.
+   *
+   * @param places the place of each name's node, in document order; not to be changed
+   * @param nodes the nodes; not to be changed
+   */
+  public void names(Map<String, Integer> places, Node[] nodes) {
+    named = new NamesOfFile(places, nodes);
+    places.forEach((name, place) -> nodes[place].rename(name));
+  }
+
   /** Assigns a DEF name to a node; a name in use is moved to that node. */
   public void name(String name, Node node) {
     named = own(named);
@@ -141,6 +152,7 @@ public final class Scene {
     if (node == null) {
       return;
     }
+    named = own(named);
     named.remove(name);
     if (name.equals(node.name())) {
       node.rename(null);

@@ -41,14 +41,17 @@ final class SwitchRules {
           .because(
               """
               The metadata of a version says how consistent it is, but schemaBelonginess, which \
-              decides when it is shown, names no schema.""")
+              decides when it is shown, names no schema. A version with a degree alone is a \
+              level of a scale beside those that schemas show.""")
           .bad(
               RuleExampleFragments.desk()
                   + RuleExampleFragments.lamp(
                       "1",
                       DESK
                           + RuleExampleFragments.set(
-                              "value", RuleExampleFragments.string("degreeOfConsistency", "high")),
+                              "value",
+                              RuleExampleFragments.string("consistencyType", "consistent")
+                                  + RuleExampleFragments.string("degreeOfConsistency", "high")),
                       VERSIONS))
           .good(GOOD)
           .see("thesis 4.2.2, Fig 43");
