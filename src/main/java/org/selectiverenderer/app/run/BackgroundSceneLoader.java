@@ -34,6 +34,7 @@ final class BackgroundSceneLoader implements AutoCloseable {
       if (listener.observesSwitches()) {
         walk.observeSwitches();
       }
+      walk.prepareFrames();
       listener.opened();
       return walk;
     } catch (IOException | RuntimeException | Error e) {

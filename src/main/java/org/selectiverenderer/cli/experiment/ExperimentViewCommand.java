@@ -11,6 +11,8 @@ import org.selectiverenderer.command.output.CommandException;
 import org.selectiverenderer.command.output.Console;
 import org.selectiverenderer.command.output.ExitStatus;
 import org.selectiverenderer.command.output.OutputFile;
+import org.selectiverenderer.study.dataset.RecordedRun;
+import org.selectiverenderer.study.dataset.RecordedSession;
 import org.selectiverenderer.study.headlog.BidsMotionFiles;
 import org.selectiverenderer.study.headlog.HeadLog;
 import org.selectiverenderer.study.headlog.HeadLogAnalysis;
@@ -28,7 +30,7 @@ import picocli.CommandLine.Parameters;
     description = {
       "Shows what a participant looked at: which objects, when and for how long, and "
           + "how much of each room came into view at all.",
-      "LOG is a file that run --head-log wrote; its description lies beside it."
+      "LOG is a file that run --head-log or a session wrote; its description lies beside it."
     },
     footer = {
       "  ./selective-renderer run scenes/trashcan.x3d --head-log session.csv",
@@ -51,7 +53,7 @@ final class ExperimentViewCommand extends CliCommand {
       paramLabel = "F.jsonl",
       description =
           "time line that the same run wrote (run --timeline); tells which objects were seen as "
-              + "they changed")
+              + "they changed (default: what the journal of the log's session tells of it)")
   private @Nullable Path timeline;
 
   @Option(
@@ -95,12 +97,22 @@ final class ExperimentViewCommand extends CliCommand {
   }
 
   private String report(HeadLogAnalysis analysis, ProblemCollector problems) throws IOException {
-    if (timeline == null) {
+    Optional<SwitchSightings> told = switches(problems);
+    if (told.isEmpty()) {
       return format.json() ? HeadLogReport.json(analysis) : HeadLogReport.text(analysis);
     }
-    SwitchSightings switches = SwitchSightings.read(timeline, problems);
+    SwitchSightings switches = told.get();
     return format.json()
         ? HeadLogReport.json(analysis, switches)
         : HeadLogReport.text(analysis) + "\n" + switches.text();
+  }
+
+  /** Returns the changes that the time line tells; else those of the session's journal, if any. */
+  private Optional<SwitchSightings> switches(ProblemCollector problems) throws IOException {
+    return timeline != null
+        ? Optional.of(SwitchSightings.read(timeline, problems))
+        : RecordedSession.runOf(log, problems)
+            .map(RecordedRun::switches)
+            .filter(switches -> !switches.changes().isEmpty());
   }
 }

@@ -73,6 +73,7 @@ final class SceneLayer {
     instances.onMoved(node -> round.moved(node));
     backdrops = new BackgroundReader(parts.assets());
     bindables = new BindingStacks(root, parts.cascade());
+    instances.onStructure(bindables::structureChanged);
     follower = new ViewpointFollower(instances, bindables, viewer);
     pointing = new PointingDeviceHandler(instances, parts.meshes(), parts.activated());
     picking = new PickSensorEvaluator(instances, parts.assets(), parts.meshes());

@@ -171,6 +171,24 @@ class ViewpointFollowerTest {
   }
 
   @Test
+  void aViewpointThatComesInAGroupThatCameInTheSameFrameIsOffered() {
+    try (WorldFixture fixture =
+        new WorldFixture("<Viewpoint position='1 0 0'/><Group DEF='G'/>")) {
+      fixture.step(0);
+      Node viewpoint = fixture.make("Viewpoint");
+      Node group = fixture.make("Group");
+      fixture.send("G", "addChildren", List.of(group));
+      fixture.world.cascade().send(group, group.type().indexOf("children"), List.of(viewpoint));
+      fixture.step(1);
+      assertThat(fixture.world.views().viewpoints()).hasSize(2).endsWith(viewpoint);
+      Node later = fixture.make("Viewpoint");
+      fixture.world.cascade().send(group, group.type().indexOf("children"), List.of(later));
+      fixture.step(2);
+      assertThat(fixture.world.views().viewpoints()).hasSize(2).endsWith(later);
+    }
+  }
+
+  @Test
   void whenTheOnlyViewpointLeavesTheViewerStays() {
     try (WorldFixture fixture =
         new WorldFixture("<Group DEF='G'><Viewpoint position='2 0 0'/></Group>")) {

@@ -12,6 +12,7 @@ import java.util.Locale;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.loading.LoadedScene;
 import org.selectiverenderer.browser.loading.SceneLoader;
 import org.selectiverenderer.browser.nodes.NodeFactory;
@@ -54,6 +55,12 @@ final class WorldFixture implements AutoCloseable {
 
   Node node(String name) {
     return world.scene().find(name).orElseThrow();
+  }
+
+  Node make(String type) {
+    return loader
+        .factory()
+        .make(loader.catalogue().get(type), null, SourceLocation.of("test.x3d"));
   }
 
   void send(String node, String field, @Nullable Object value) {

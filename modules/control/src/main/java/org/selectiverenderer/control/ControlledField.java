@@ -35,6 +35,7 @@ final class ControlledField implements ControlledChoice {
 
   private final VersionedObject object;
   private final FieldQuality quality;
+  private final X3DNode owner;
   private final X3DField field;
   private final List<SaiFieldValue> values;
   private final X3DFieldEventListener onValue;
@@ -43,12 +44,14 @@ final class ControlledField implements ControlledChoice {
   private ControlledField(
       VersionedObject object,
       FieldQuality quality,
+      X3DNode owner,
       X3DField field,
       List<SaiFieldValue> values,
       ListenerLock turn,
       LevelListener listener) {
     this.object = object;
     this.quality = quality;
+    this.owner = owner;
     this.field = field;
     this.values = List.copyOf(values);
     this.onValue = event -> turn.take(() -> valueChanged(event.getTime(), listener));
@@ -105,7 +108,7 @@ final class ControlledField implements ControlledChoice {
       }
       values.add(value.get());
     }
-    return Optional.of(new ControlledField(object, quality, field, values, turn, listener));
+    return Optional.of(new ControlledField(object, quality, node, field, values, turn, listener));
   }
 
   private static @Nullable X3DNode node(SceneScope scope, FieldReference target) {
@@ -146,6 +149,16 @@ final class ControlledField implements ControlledChoice {
     if (shown != from) {
       listener.changed(this, from, time);
     }
+  }
+
+  /** Returns whether the name of the quality's node is that of another node now. */
+  boolean replaced(SceneScope scope) {
+    X3DNode named = node(scope, quality.target());
+    return named != null && !named.equals(owner);
+  }
+
+  FieldQuality quality() {
+    return quality;
   }
 
   FieldReference target() {

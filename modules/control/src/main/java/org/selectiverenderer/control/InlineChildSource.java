@@ -12,13 +12,17 @@ import org.web3d.x3d.sai.X3DScene;
  * The root nodes of the scene in an Inline: the scene may arrive late, be replaced, and be unloaded
  * and loaded again with {@code load}.
  */
-final class InlineChildSource extends ChildSource {
+final class InlineChildSource extends ChildSource implements InlineSceneAccess.Listener {
   private final X3DNode inline;
   private final InlineSceneAccess browser;
   private final SceneScope outer;
   private final Set<String> wanted;
   private final int number;
   private @Nullable SceneScope inner;
+
+  /** Whether the scene last looked at held nothing to be found, so that nothing was read. */
+  private boolean plain;
+
   private InlineSceneAccess.@Nullable Registration registration;
 
   /**
@@ -47,20 +51,27 @@ final class InlineChildSource extends ChildSource {
   List<X3DNode> look() {
     Optional<X3DScene> content = browser.inlinedScene(inline);
     if (content.isEmpty()) {
+      plain = false;
       return List.of();
     }
+    if (!plain && !browser.mayHold(inline, wanted)) {
+      plain = true; // Most Inlines are plain models, for which nothing is kept.
+      return List.of();
+    } // What was plain and has changed has other root nodes than its file, or another file.
     if (inner == null || !inner.scene().equals(content.get())) {
       inner = outer.inner(inline, number, content.get());
-      if (!browser.mayHold(inline, wanted)) {
-        return List.of();
-      }
-    } // Otherwise the same scene has other root nodes than its file, and is read again.
+    }
     return inner.opened(content.get().getRootNodes());
   }
 
   @Override
   void listen() {
-    registration = browser.watchInline(inline, (node, time) -> changed(time));
+    registration = browser.watchInline(inline, this);
+  }
+
+  @Override
+  public void inlinedSceneChanged(X3DNode node, double time) {
+    changed(time);
   }
 
   @Override

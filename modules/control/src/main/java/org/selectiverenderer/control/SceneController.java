@@ -2,10 +2,8 @@ package org.selectiverenderer.control;
 
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.EnumMap;
+import java.util.Collections;
 import java.util.EnumSet;
-import java.util.HashMap;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -21,19 +19,17 @@ import org.selectiverenderer.control.SelectiveController.Settings;
 import org.selectiverenderer.sai.InlineSceneAccess;
 import org.selectiverenderer.sai.NodeNameAccess;
 import org.selectiverenderer.schema.Quality;
-import org.selectiverenderer.schema.SchemaActivation;
-import org.selectiverenderer.schema.SchemaActivation.Change;
 import org.selectiverenderer.schema.SwitchSchemas;
 import org.web3d.x3d.sai.X3DExecutionContext;
 import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.environmentalsensor.ProximitySensor;
 import org.web3d.x3d.sai.grouping.Switch;
 
-/** Controls one scene, from the start of its control to the end. */
+/**
+ * Follows one scene, from the start of its control to the end: finds its areas and objects, listens
+ * to them, and tells {@link SceneChoices}, which decides what the objects show.
+ */
 final class SceneController implements ControlledArea.Listener {
-  /** Tells the random seeds of qualities apart. */
-  private static final long SPREAD = 1_000_003;
-
   private final ListenerLock turn;
   private final Settings settings;
   private final Consumer<ControlEvent> events;
@@ -42,15 +38,12 @@ final class SceneController implements ControlledArea.Listener {
   private final SchemaCache cache = new SchemaCache();
   private final @Nullable InlineSceneAccess inlined;
   private final SceneGraphWatcher walk;
-  private final SchemaActivation<ControlledArea, ControlledChoice> activation =
-      new SchemaActivation<>();
   private final Map<X3DNode, ControlledArea> areas = new LinkedHashMap<>();
   private final Map<X3DNode, VersionedObject> objects = new LinkedHashMap<>();
-  private final Map<String, Integer> held;
-  private final ChoiceQueue queue;
-  private @Nullable List<ChoosableObject> choosable;
-  private long consistencyVersion;
+  private final SceneChoices choices;
   private boolean started;
+  private boolean nodesChanged;
+  private boolean fieldsMissing;
   private double now;
 
   /**
@@ -72,10 +65,15 @@ final class SceneController implements ControlledArea.Listener {
       Consumer<ControlProblem> problems) {
     this.turn = turn;
     this.settings = settings;
-    held = new HashMap<>(settings.held());
     this.events = events;
     this.problems = problems;
-    queue = new ChoiceQueue(timing, events, problems);
+    choices =
+        new SceneChoices(
+            settings,
+            Collections.unmodifiableCollection(areas.values()),
+            Collections.unmodifiableCollection(objects.values()),
+            new ChoiceQueue(timing, events, problems),
+            this::reportOnceStarted);
     this.inlined = inlined;
     this.walk =
         new SceneGraphWatcher(
@@ -85,14 +83,24 @@ final class SceneController implements ControlledArea.Listener {
             namesAccess,
             Set.of("Switch", "ProximitySensor"),
             turn,
-            this::changed);
+            new SceneGraphWatcher.Listener() {
+              @Override
+              public void changed(List<Found> found, List<X3DNode> lost, double time) {
+                SceneController.this.changed(found, lost, time);
+              }
+
+              @Override
+              public void nodesChanged() {
+                nodesChanged = true;
+              }
+            });
   }
 
   /** Reads the scene, sets the choices of the condition, and reports the start. */
   void start() {
     walk.rescan(now);
-    setOut(choicesOf(objects.values()), settings.seed(), true);
-    objects.values().forEach(this::hold);
+    choices.setOut(choicesOf(objects.values()), 0, true, now);
+    objects.values().forEach(choices::showHeld);
     started = true;
     problems().forEach(problems);
     UnmatchedSchemaCheck.of(areas.values(), objects.values()).forEach(problems);
@@ -126,6 +134,32 @@ final class SceneController implements ControlledArea.Listener {
   /** Looks for changes of the scene's root nodes. */
   void rescan() {
     walk.rescan(now);
+    lookForFields();
+  }
+
+  /**
+   * Looks again for the nodes whose fields are qualities, if there may be others. It does so once a
+   * frame at most, since thousands of files may come one after the other.
+   */
+  private void lookForFields() {
+    if (!nodesChanged) {
+      return;
+    }
+    nodesChanged = false;
+    fieldsMissing = false;
+    List<ControlledField> found = new ArrayList<>();
+    for (VersionedObject object : objects.values()) {
+      if (object.fieldsMayDiffer()) {
+        List<ControlledField> before = object.fields();
+        List<ControlProblem> known = object.problems();
+        object.findFields();
+        before.stream().filter(f -> !object.fields().contains(f)).forEach(choices::forget);
+        object.fields().stream().filter(f -> !before.contains(f)).forEach(found::add);
+        reportNew(known, object.problems());
+        fieldsMissing |= object.fieldsMissing();
+      }
+    }
+    choices.setOut(found, objects.size(), true, now);
   }
 
   /** Removes all listeners from the scene. */
@@ -137,39 +171,20 @@ final class SceneController implements ControlledArea.Listener {
   }
 
   /** Holds the choices of Switches; returns the names that no Switch has. */
-  Set<String> hold(Map<String, Integer> choices) {
-    held.putAll(choices);
-    choosable = null;
-    Set<String> missing = new LinkedHashSet<>(choices.keySet());
+  Set<String> hold(Map<String, Integer> wanted) {
+    choices.hold(wanted);
+    Set<String> missing = new LinkedHashSet<>(wanted.keySet());
     for (VersionedObject object : objects.values()) {
       if (missing.remove(object.name())) {
-        hold(object);
+        choices.showHeld(object);
       }
     }
     return missing;
   }
 
-  private void hold(VersionedObject object) {
-    Integer choice = held.isEmpty() ? null : held.get(object.name());
-    if (choice != null) {
-      show(object, choice);
-    }
-  }
-
   /** Returns the objects whose versions may be chosen; the same list until others may be. */
   List<ChoosableObject> choosable() {
-    List<ChoosableObject> known = choosable;
-    if (known == null) {
-      known = new ArrayList<>();
-      for (VersionedObject object : objects.values()) {
-        if (differsInPolygons(object) && !held.containsKey(object.name())) {
-          known.add(object);
-        }
-      }
-      known = List.copyOf(known);
-      choosable = known;
-    }
-    return known;
+    return choices.choosable();
   }
 
   /** Returns the qualities in which versions and fields of the scene's objects differ. */
@@ -182,46 +197,28 @@ final class SceneController implements ControlledArea.Listener {
     return found;
   }
 
-  /** Returns whether the versions differ in their polygons, so that a budget can choose. */
-  private static boolean differsInPolygons(VersionedObject object) {
-    return object.versions() > 0
-        && object
-            .schemas()
-            .map(SwitchSchemas::quality)
-            .filter(Quality.POLYGONS::equals)
-            .isPresent();
-  }
-
-  private void callFor(VersionedObject object, int version) {
-    object.calledFor(version);
-    consistencyVersion++;
-  }
-
   long consistencyVersion() {
-    return consistencyVersion;
+    return choices.consistencyVersion();
   }
 
   /** Shows the version of an object that a budget has chosen. */
   void choose(ChoosableObject chosen, int version, double time) {
     if (chosen instanceof VersionedObject object && objects.get(object.node()) == object) {
       now = Math.max(now, time);
-      if (!object.chosenFirst()) {
-        queue.want(object, version, ChoiceCause.BUDGET, now);
-      } else if (version != object.shown()) { // The viewer has not seen it yet.
-        queue.show(object, version, ChoiceCause.BUDGET, now);
-      }
+      choices.choose(object, version, now);
     }
   }
 
   /** Shows the choices that wait and may be shown now. */
   void showDue(double time) {
     now = Math.max(now, time);
-    queue.showDue(now);
+    lookForFields();
+    choices.showDue(now);
   }
 
   /** Returns the choices that wait, by the names of their Switches. */
   Map<String, Integer> waiting() {
-    return queue.waiting();
+    return choices.waiting();
   }
 
   List<ControlProblem> problems() {
@@ -232,21 +229,21 @@ final class SceneController implements ControlledArea.Listener {
   }
 
   List<String> enteredAreas() {
-    return activation.enteredAreas().stream().map(ControlledArea::name).toList();
+    return choices.enteredAreas();
   }
 
   List<String> activeSchemas() {
-    return activation.activeSchemas();
+    return choices.activeSchemas();
   }
 
   Map<String, Integer> choices() {
-    Map<String, Integer> choices = new LinkedHashMap<>();
+    Map<String, Integer> shown = new LinkedHashMap<>();
     for (VersionedObject object : objects.values()) {
       if (object.schemas().isPresent()) {
-        choices.put(object.name(), object.shown());
+        shown.put(object.name(), object.shown());
       }
     }
-    return choices;
+    return shown;
   }
 
   /** Returns the levels of the objects' fields, by the names of objects and fields. */
@@ -267,18 +264,22 @@ final class SceneController implements ControlledArea.Listener {
     now = time;
     // A browser that delivers events late may still send the event of an entry that was already
     // read from the sensor.
-    if (area.schemas().isPresent() && !activation.isEntered(area)) {
+    if (area.schemas().isPresent() && !choices.isEntered(area)) {
+      nodesChanged |= fieldsMissing; // Names are given to nodes without an event.
+      lookForFields();
       events.accept(new ControlEvent.Enter(time, area.name(), area.schemas().get().enter()));
-      apply(activation.enter(area));
+      choices.enter(area, now);
     }
   }
 
   @Override
   public void left(ControlledArea area, double time) {
     now = time;
-    if (area.schemas().isPresent() && activation.isEntered(area)) {
+    if (area.schemas().isPresent() && choices.isEntered(area)) {
+      nodesChanged |= fieldsMissing; // Names are given to nodes without an event.
+      lookForFields();
       events.accept(new ControlEvent.Exit(time, area.name(), area.schemas().get().exit()));
-      apply(activation.exit(area));
+      choices.exit(area, now);
     }
   }
 
@@ -290,10 +291,10 @@ final class SceneController implements ControlledArea.Listener {
     area.read();
     reportNew(before, area.problems());
     if (area.schemas().isEmpty()) {
-      apply(activation.removeArea(area));
+      choices.removeArea(area, now);
       return;
     }
-    activation.putArea(area, area.schemas().get());
+    choices.putArea(area, area.schemas().get());
     if (!known) {
       enterIfInside(area);
     }
@@ -303,19 +304,26 @@ final class SceneController implements ControlledArea.Listener {
     now = time;
     boolean known = object.schemas().isPresent();
     List<ControlProblem> before = object.problems();
-    object.fields().forEach(this::forget);
+    object.fields().forEach(choices::forget);
     object.read();
-    choosable = null;
-    consistencyVersion++;
+    choices.objectsChanged();
+    choices.consistencyChanged();
     reportNew(before, object.problems());
-    List<ControlledChoice> choices = new ArrayList<>(object.fields());
+    List<ControlledChoice> anew = new ArrayList<>(object.fields());
     if (object.schemas().isEmpty()) {
-      forget((ControlledChoice) object);
-    } else if (!known || settings.follows(object.schemas().get().quality())) {
-      choices.add(0, object);
+      choices.forget(object);
+    } else if (!known || choices.follows(object.schemas().get())) {
+      anew.add(0, object);
     }
-    setOut(choices, settings.seed() + objects.size(), !known);
-    hold(object);
+    choices.setOut(anew, objects.size(), !known, now);
+    choices.showHeld(object);
+  }
+
+  /** Reports a problem; one before the start is reported with the others. */
+  private void reportOnceStarted(ControlProblem problem) {
+    if (started) {
+      problems.accept(problem);
+    }
   }
 
   private void reportNew(List<ControlProblem> before, List<ControlProblem> now) {
@@ -331,8 +339,7 @@ final class SceneController implements ControlledArea.Listener {
       now = time;
       events.accept(new ControlEvent.SwitchChange(time, object.name(), from, object.shown(), ""));
     }
-    queue.forget(object);
-    activation.noteShown(object, object.shown());
+    choices.noteShown(object);
   }
 
   /** Records the value of a field that others have set; it stays until the next activation. */
@@ -341,13 +348,12 @@ final class SceneController implements ControlledArea.Listener {
       now = time;
       events.accept(field.change(time, from, field.shown(), ChoiceCause.SCENE, Optional.empty()));
     }
-    queue.forget(field);
-    activation.noteShown(field, field.shown());
+    choices.noteShown(field);
   }
 
   private void changed(List<Found> found, List<X3DNode> lost, double time) {
     now = time;
-    choosable = null;
+    choices.objectsChanged();
     found.forEach(one -> names.add(one.node(), one.scope()));
     List<ControlledArea> foundAreas = new ArrayList<>();
     List<VersionedObject> foundObjects = new ArrayList<>();
@@ -356,7 +362,7 @@ final class SceneController implements ControlledArea.Listener {
       if (node instanceof ProximitySensor sensor) {
         ControlledArea area = new ControlledArea(sensor, () -> names.of(node), turn, cache, this);
         areas.put(node, area);
-        area.schemas().ifPresent(schemas -> activation.putArea(area, schemas));
+        area.schemas().ifPresent(schemas -> choices.putArea(area, schemas));
         foundAreas.add(area);
       } else if (node instanceof Switch versions) {
         VersionedObject object =
@@ -377,8 +383,8 @@ final class SceneController implements ControlledArea.Listener {
     if (started) {
       foundAreas.forEach(area -> reportNew(List.of(), area.problems()));
       foundObjects.forEach(object -> reportNew(List.of(), object.problems()));
-      setOut(choicesOf(foundObjects), settings.seed() + objects.size(), true);
-      foundObjects.forEach(this::hold);
+      choices.setOut(choicesOf(foundObjects), objects.size(), true, now);
+      foundObjects.forEach(choices::showHeld);
       foundAreas.forEach(this::enterIfInside);
     }
   }
@@ -387,20 +393,15 @@ final class SceneController implements ControlledArea.Listener {
     VersionedObject object = objects.remove(node);
     if (object != null) {
       object.close();
-      forget((ControlledChoice) object);
-      object.fields().forEach(this::forget);
+      choices.forget(object);
+      object.fields().forEach(choices::forget);
     }
     ControlledArea area = areas.remove(node);
     if (area != null) {
       area.close();
-      apply(activation.removeArea(area));
+      choices.removeArea(area, now);
     }
     names.remove(node);
-  }
-
-  private void forget(ControlledChoice choice) {
-    queue.forget(choice);
-    activation.removeSwitch(choice);
   }
 
   /** Enters an area if the viewer is in it already, since its sensor will send no entry event. */
@@ -412,98 +413,11 @@ final class SceneController implements ControlledArea.Listener {
 
   /** Returns the objects, each followed by its fields. */
   private static List<ControlledChoice> choicesOf(Collection<VersionedObject> objects) {
-    List<ControlledChoice> choices = new ArrayList<>();
+    List<ControlledChoice> all = new ArrayList<>();
     for (VersionedObject object : objects) {
-      choices.add(object);
-      choices.addAll(object.fields());
+      all.add(object);
+      all.addAll(object.fields());
     }
-    return choices;
-  }
-
-  /**
-   * Sets new choices as the condition and the rules of qualities require. Each quality has a random
-   * seed of its own, so that another one more does not change which versions are drawn.
-   *
-   * @param fresh whether the viewer has not seen them yet, so that no choice has to wait
-   */
-  private void setOut(Collection<? extends ControlledChoice> candidates, long seed, boolean fresh) {
-    if (!settings.controls()) {
-      return;
-    }
-    Map<Quality, Map<ControlledChoice, SwitchSchemas>> conditional = new EnumMap<>(Quality.class);
-    for (ControlledChoice choice : candidates) {
-      choice.schemas().ifPresent(schemas -> setOut(choice, schemas, conditional, fresh));
-    }
-    conditional.forEach(
-        (quality, choices) ->
-            settings
-                .condition()
-                .initialChoices(choices, activatedSchemas(), seed + SPREAD * quality.ordinal())
-                .forEach(this::show));
-  }
-
-  private void setOut(
-      ControlledChoice choice,
-      SwitchSchemas schemas,
-      Map<Quality, Map<ControlledChoice, SwitchSchemas>> conditional,
-      boolean fresh) {
-    Quality quality = schemas.quality();
-    if (settings.follows(quality)) {
-      if (fresh && choice instanceof VersionedObject object) {
-        callFor(object, object.shown());
-      }
-      apply(activation.putSwitch(choice, schemas, choice.shown()).stream().toList(), fresh);
-    } else if (settings.rule(quality).isPresent()) {
-      show(choice, settings.rule(quality).get().choice(schemas));
-    } else {
-      conditional.computeIfAbsent(quality, key -> new LinkedHashMap<>()).put(choice, schemas);
-    }
-  }
-
-  private Set<String> activatedSchemas() {
-    Set<String> activated = new HashSet<>();
-    for (ControlledArea area : areas.values()) {
-      area.schemas()
-          .ifPresent(
-              schemas -> {
-                activated.addAll(schemas.enter());
-                activated.addAll(schemas.exit());
-              });
-    }
-    return activated;
-  }
-
-  /** Shows a choice at once and without an event, whatever waits. */
-  private void show(ControlledChoice choice, int wanted) {
-    queue.forget(choice);
-    Optional<ControlProblem> failure = choice.show(wanted);
-    if (started) { // otherwise reported with the others
-      failure.ifPresent(problems);
-    }
-  }
-
-  private void apply(List<Change<ControlledChoice>> changes) {
-    apply(changes, false);
-  }
-
-  private void apply(List<Change<ControlledChoice>> changes, boolean fresh) {
-    if (!settings.controls()) {
-      return;
-    }
-    for (Change<ControlledChoice> change : changes) {
-      ControlledChoice choice = change.switchKey();
-      if (choice instanceof VersionedObject object) {
-        callFor(object, change.to());
-        boolean budgeted = settings.budget().isPresent() && differsInPolygons(object);
-        if (budgeted || held.containsKey(object.name())) {
-          continue; // With a budget areas only tell what is consistent, and the budget chooses.
-        }
-      }
-      if (fresh) {
-        queue.show(choice, change.to(), ChoiceCause.of(change.schema()), now);
-      } else {
-        queue.want(choice, change.to(), ChoiceCause.of(change.schema()), now);
-      }
-    }
+    return all;
   }
 }

@@ -54,6 +54,9 @@ final class SceneGraphWatcher {
      * @param time stamp in seconds
      */
     void changed(List<Found> found, List<X3DNode> lost, double time);
+
+    /** Nodes were added, removed or loaded, wanted ones or others. */
+    default void nodesChanged() {}
   }
 
   /**
@@ -69,6 +72,7 @@ final class SceneGraphWatcher {
   private final ListenerLock turn;
   private final Listener listener;
   private final Map<X3DNode, Place> places = new HashMap<>();
+  private final ChildSource.Listener onChildren = this::replace;
   private List<X3DNode> roots = List.of();
 
   /** The names of the fields with children, by type of grouping node. */
@@ -142,6 +146,7 @@ final class SceneGraphWatcher {
     List<X3DNode> lost = new ArrayList<>();
     retain(scope, after, found);
     release(before, lost);
+    listener.nodesChanged();
     if (!found.isEmpty() || !lost.isEmpty()) {
       listener.changed(found, lost, time);
     }
@@ -243,12 +248,11 @@ final class SceneGraphWatcher {
 
     Place(X3DNode node, SceneScope scope) {
       List<ChildSource> found = new ArrayList<>();
-      ChildSource.Listener listener = SceneGraphWatcher.this::replace;
       for (String field : childFields(node)) {
-        found.add(new FieldChildSource(scope, node.getField(field), turn, listener));
+        found.add(new FieldChildSource(scope, node.getField(field), turn, onChildren));
       }
       if (inlined != null && node instanceof Inline) {
-        found.add(new InlineChildSource(scope, node, inlined, wanted, listener));
+        found.add(new InlineChildSource(scope, node, inlined, wanted, onChildren));
       }
       branches = List.copyOf(found);
     }

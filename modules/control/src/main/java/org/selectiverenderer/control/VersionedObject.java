@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import java.util.function.ObjDoubleConsumer;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.schema.FieldQuality;
 import org.selectiverenderer.schema.SchemaProblem;
 import org.selectiverenderer.schema.SchemaReader;
@@ -37,6 +38,10 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
   private final ListenerLock turn;
   private final ControlledField.LevelListener onForeignLevel;
   private final Supplier<String> name;
+
+  /** The name once it was asked for, since it is permanent. */
+  private @Nullable String known;
+
   private final X3DField children;
   private final X3DFieldEventListener onChildren;
   private final X3DField whichChoice;
@@ -49,7 +54,9 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
 
   private List<ControlProblem> problems = List.of();
   private Optional<SwitchSchemas> schemas = Optional.empty();
+  private List<FieldQuality> qualities = List.of();
   private List<ControlledField> fields = List.of();
+  private List<ControlProblem> fieldProblems = List.of();
   private final int atStart;
   private int shown;
   private int called;
@@ -82,7 +89,7 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
     this.shown = atStart;
     this.children = node.getField("children");
     this.onChildren = event -> turn.take(() -> onChange.accept(this, event.getTime()));
-    this.watch = new MetadataWatcher(node, turn, time -> onChange.accept(this, time));
+    this.watch = new MetadataWatcher(node, scope, turn, time -> onChange.accept(this, time));
     this.whichChoice = node.getField("whichChoice");
     this.onChoice = event -> turn.take(() -> choiceChanged(event.getTime(), onForeignChoice));
     children.addX3DEventListener(onChildren);
@@ -121,21 +128,50 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
     Optional<SaiMetadata> metadata = watch.read();
     schemas = metadata.flatMap(m -> cache.object(m, node.getNumChildren(), warning));
     fields.forEach(ControlledField::close);
-    fields =
-        metadata.map(new SchemaReader(warning)::fieldQualities).orElse(List.of()).stream()
-            .flatMap(quality -> field(quality).stream())
-            .toList();
+    fields = List.of();
+    qualities = metadata.map(new SchemaReader(warning)::fieldQualities).orElse(List.of());
+    findFields();
     calledFor(called);
   }
 
-  private Optional<ControlledField> field(FieldQuality quality) {
-    return ControlledField.find(
-        this,
-        scope,
-        quality,
-        turn,
-        onForeignLevel,
-        message -> add(ControlProblem.warning(name(), node, message)));
+  /** Returns whether a field that is a quality has not been found. */
+  boolean fieldsMissing() {
+    return fields.size() < qualities.size();
+  }
+
+  /** Returns whether a node may have come, or been replaced, whose field is a quality. */
+  boolean fieldsMayDiffer() {
+    return fieldsMissing() || fields.stream().anyMatch(field -> field.replaced(scope));
+  }
+
+  /** Looks for the nodes whose fields are qualities; keeps the fields whose nodes are the same. */
+  void findFields() {
+    if (qualities.isEmpty()) { // as most objects have none
+      fieldProblems = List.of();
+      return;
+    }
+    List<ControlProblem> wrong = new ArrayList<>();
+    List<ControlledField> found = new ArrayList<>();
+    for (FieldQuality quality : qualities) {
+      Optional<ControlledField> known =
+          fields.stream()
+              .filter(field -> field.quality() == quality && !field.replaced(scope))
+              .findFirst();
+      known
+          .or(
+              () ->
+                  ControlledField.find(
+                      this,
+                      scope,
+                      quality,
+                      turn,
+                      onForeignLevel,
+                      message -> wrong.add(ControlProblem.warning(name(), node, message))))
+          .ifPresent(found::add);
+    }
+    fields.stream().filter(field -> !found.contains(field)).forEach(ControlledField::close);
+    fields = List.copyOf(found);
+    fieldProblems = List.copyOf(wrong);
   }
 
   /** Returns the fields whose values are qualities of the object. */
@@ -144,7 +180,12 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
   }
 
   String name() {
-    return name.get();
+    String now = known;
+    if (now == null) {
+      now = name.get();
+      known = now;
+    }
+    return now;
   }
 
   /**
@@ -223,7 +264,7 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
 
   @Override
   public int versions() {
-    return schemas.map(all -> all.choices().size()).orElse(0);
+    return schemas.isPresent() ? schemas.get().choices().size() : 0;
   }
 
   @Override
@@ -248,7 +289,9 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
   }
 
   List<ControlProblem> problems() {
-    return problems;
+    return fieldProblems.isEmpty()
+        ? problems
+        : Stream.concat(problems.stream(), fieldProblems.stream()).toList();
   }
 
   /** Removes all listeners from the Switch. */

@@ -73,7 +73,7 @@ public final class TexturePictureReader {
     } catch (IOException e) {
       return Optional.empty(); // a damaged data url, which the validator reports
     }
-    if (url.regionMatches(true, 0, "http", 0, 4) || base instanceof BaseUrl.Web) {
+    if (UrlResolver.onNetwork(url, base)) {
       return Optional.empty();
     }
     return urls.resolve(url, base) instanceof UrlResolver.Target.Found found

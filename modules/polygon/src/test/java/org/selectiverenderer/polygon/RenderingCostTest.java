@@ -61,6 +61,12 @@ class RenderingCostTest {
   }
 
   @Test
+  void aFileWhoseNameBeginsWithHttpIsNoWebAddress() throws IOException {
+    picture("http-photo.png", 8);
+    assertThat(cost(image("http-photo.png"))).isEqualTo(new RenderingCost(1, LARGE));
+  }
+
+  @Test
   void whatIsNotShownCostsNothing() throws IOException {
     picture("large.png", 8);
     assertThat(

@@ -194,6 +194,14 @@ public final class Walkthrough implements AutoCloseable {
   }
 
   /**
+   * Begins on another thread what frames will need, for a walkthrough whose frames must come in
+   * time. Call it before the first frame, after {@link #observeSwitches}.
+   */
+  public void prepareFrames() {
+    timing.prepare();
+  }
+
+  /**
    * Listens to the events that the scene marks: each value that {@link #MARKER} gets is passed on.
    */
   public void listen(Consumer<String> marked) {
@@ -292,6 +300,7 @@ public final class Walkthrough implements AutoCloseable {
   /** Releases all resources and ends the threads. */
   @Override
   public void close() {
+    timing.close();
     controller.close();
     browser.dispose();
     loader.close();

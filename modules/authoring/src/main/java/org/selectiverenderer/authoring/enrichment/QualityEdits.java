@@ -139,7 +139,7 @@ public final class QualityEdits {
   public Edit value(EnrichedField field, int level, List<String> wanted) {
     own(field.element());
     return change(
-        "Set level %d of %s".formatted(level, field.target()),
+        "Set level %d of %s".formatted(level + 1, field.target()),
         field.levels().get(level).element(),
         EnrichedFieldReader.VALUE,
         wanted);
@@ -181,7 +181,7 @@ public final class QualityEdits {
     EnrichedField.Level before = field.levels().get(level);
     SchemaNameValidator.require(wanted.schemas(), before.metadata().schemas());
     return new Edit(
-        "Describe level %d of %s".formatted(level, field.target()),
+        "Describe level %d of %s".formatted(level + 1, field.target()),
         described(node, field, level, wanted));
   }
 
@@ -228,7 +228,7 @@ public final class QualityEdits {
     }
     own(field.element());
     return new Edit(
-        "Delete level %d of %s".formatted(level, field.target()),
+        "Delete level %d of %s".formatted(level + 1, field.target()),
         List.of(removed(field.levels().get(level).element())));
   }
 }

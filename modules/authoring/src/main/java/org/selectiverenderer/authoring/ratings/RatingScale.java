@@ -54,9 +54,7 @@ public enum RatingScale {
   LINEAR {
     @Override
     int version(double mean, List<ChoiceMetadata> choices) {
-      double degree = (mean - LEAST) / (MOST - LEAST);
-      return VersionDegreeMapping.version(
-          new ConsistencyDegree(Math.max(0, Math.min(1, degree))), choices);
+      return VersionDegreeMapping.version(new ConsistencyDegree(degree(mean)), choices);
     }
 
     @Override
@@ -79,6 +77,11 @@ public enum RatingScale {
 
   private static final double LEAST = 1;
   private static final double MOST = 6;
+
+  /** Returns the degree of consistency, 0 to 1, that a mean rating is on the linear scale. */
+  public static double degree(double mean) {
+    return Math.max(0, Math.min(1, (mean - LEAST) / (MOST - LEAST)));
+  }
 
   /**
    * Returns the version for a mean rating.

@@ -120,6 +120,9 @@ public final class GroupInstance extends Instance implements NodeObserver {
   @Override
   public void changed(Node node, int field) {
     GroupingNode.Effect effect = group.effectOf(field);
+    if (effect == GroupingNode.Effect.STRUCTURE) {
+      tree.structureChanges();
+    }
     if (effect != GroupingNode.Effect.NONE) {
       affected(effect);
     }

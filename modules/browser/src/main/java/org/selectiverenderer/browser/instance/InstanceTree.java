@@ -53,8 +53,6 @@ public final class InstanceTree {
       Math.min(MAX_INSTANCES, Runtime.getRuntime().maxMemory() / BYTES_PER_INSTANCE);
   private final AssetProvider assets;
   private final GroupInstance root;
-  private final Map<Node, SharedShapeState> looks = new IdentityHashMap<>();
-
   /** The reading that Shapes of the same template share if they are added at the same time. */
   private final Map<NodeTemplate, ShapeReading> readings = new IdentityHashMap<>();
 
@@ -74,6 +72,7 @@ public final class InstanceTree {
   private long lightVersion;
   private boolean structureChanged = true;
   private Consumer<? super Node> onMoved = node -> {};
+  private Runnable onStructure = () -> {};
   private boolean cutOff;
   private ViewParameters sight = ViewParameters.NONE;
   private int instances;
@@ -87,6 +86,10 @@ public final class InstanceTree {
     root = (GroupInstance) build(rootNode, null, 0);
     root.show(true, this);
     collect();
+  }
+
+  AssetProvider assets() {
+    return assets;
   }
 
   public GroupInstance root() {
@@ -196,6 +199,20 @@ public final class InstanceTree {
    */
   public void onMoved(Consumer<? super Node> listener) {
     onMoved = listener;
+  }
+
+  /**
+   * Sets the listener for changes of the structure.
+   *
+   * @param listener called at once when a group of the scene gets other children, before the tree
+   *     follows; there is only one listener
+   */
+  public void onStructure(Runnable listener) {
+    onStructure = listener;
+  }
+
+  void structureChanges() {
+    onStructure.run();
   }
 
   void plainMoved(Node node) {
@@ -316,8 +333,8 @@ public final class InstanceTree {
       return instance;
     }
     if (node.type().name().equals("Shape") || node instanceof ProceduralShape) {
-      SharedShapeState look =
-          looks.computeIfAbsent(node, shape -> new SharedShapeState(shape, assets, this, readings));
+      SharedShapeState look = SharedShapeState.of(node, this);
+      look = look != null ? look : new SharedShapeState(node, this, readings);
       ShapeInstance instance = new ShapeInstance(node, parent, look);
       look.add(instance);
       instance.see(sight);
@@ -349,13 +366,21 @@ public final class InstanceTree {
       cutOff = true;
       return List.of();
     }
+    if (nodes.size() == 1) {
+      return List.of(child(nodes.get(0), group, depth, atHand)); // smaller, and very many are
+    }
     List<Instance> children = new ArrayList<>(nodes.size());
     for (Node child : nodes) {
-      Deque<Instance> known = atHand.get(child);
-      Instance instance = known == null ? null : known.poll();
-      children.add(instance == null ? build(child, group, depth + 1) : instance);
+      children.add(child(child, group, depth, atHand));
     }
     return children;
+  }
+
+  private Instance child(
+      Node node, GroupInstance group, int depth, Map<Node, Deque<Instance>> atHand) {
+    Deque<Instance> known = atHand.get(node);
+    Instance instance = known == null ? null : known.poll();
+    return instance == null ? build(node, group, depth + 1) : instance;
   }
 
   /** Rebuilds the instances of a group's children; children that stay keep their instances. */
@@ -391,9 +416,8 @@ public final class InstanceTree {
       group.node().removeObserver(group);
     } else if (instance instanceof ShapeInstance shape) {
       shape.look().remove(shape);
-      if (shape.look().instances().isEmpty()) {
+      if (shape.look().unused()) {
         shape.look().dispose();
-        looks.remove(shape.node());
       }
     } else if (instance instanceof LightInstance light) {
       light.node().removeObserver(light);
@@ -403,7 +427,7 @@ public final class InstanceTree {
   }
 
   private void collect() {
-    lists.collect(root);
+    lists.collect(root, instances);
     LightScopeResolver.tell(root, lists);
     changes.forget();
     readings.clear();

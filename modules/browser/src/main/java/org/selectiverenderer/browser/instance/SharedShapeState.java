@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.Problem;
@@ -24,15 +25,25 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
  */
 final class SharedShapeState implements NodeObserver {
   private final Node shape;
-  private final AssetProvider assets;
   private final InstanceTree tree;
-  private List<ShapeInstance> instances = List.of();
+
+  /** The instance or, of a Shape that is USEd, the first of several; null without any. */
+  private @Nullable ShapeInstance first;
+
+  /** The further instances of a Shape that is USEd. */
+  private List<ShapeInstance> others = List.of();
+
   private List<Node> inAppearance = List.of();
   private List<Node> inGeometry = List.of();
   private ShapeReading reading;
-  private final int visibleField;
+  private int polygons;
+  private boolean visible;
   private boolean pending;
   private boolean disposed;
+
+  /** Whether the nodes in the Shape are not observed, since nobody has asked for one yet. */
+  private boolean deferred;
+
   private @Nullable Node geometry;
   private List<SoundSourceNode> films = List.of();
 
@@ -41,24 +52,41 @@ final class SharedShapeState implements NodeObserver {
    *
    * @param readings the readings of Shapes that are like their templates; a new one is added
    */
-  SharedShapeState(
-      Node shape,
-      AssetProvider assets,
-      InstanceTree tree,
-      Map<NodeTemplate, ShapeReading> readings) {
+  SharedShapeState(Node shape, InstanceTree tree, Map<NodeTemplate, ShapeReading> readings) {
     this.shape = shape;
-    this.assets = assets;
     this.tree = tree;
-    visibleField = shape.type().field("visible").map(FieldDefinition::index).orElse(-1);
+    AssetProvider assets = tree.assets();
     if (shape instanceof ProceduralShape formed) {
       formed.meshes(assets::mesh);
     }
-    observe();
     NodeTemplate template = shape.template();
-    reading =
-        template != null && isLikeTemplate()
-            ? readings.computeIfAbsent(template, any -> ShapeReading.of(shape, geometry, assets))
-            : ShapeReading.of(shape, geometry, assets);
+    ShapeReading known = template != null && shape.partsDeferred() ? readings.get(template) : null;
+    if (known != null) {
+      deferred = true;
+      shape.addObserver(this);
+    } else {
+      observe();
+      known =
+          template != null && isLikeTemplate()
+              ? readings.computeIfAbsent(template, any -> ShapeReading.of(shape, geometry, assets))
+              : ShapeReading.of(shape, geometry, assets);
+    }
+    reading = known;
+    lookAtShape();
+  }
+
+  /** Returns what the instances of a Shape in a tree share; null without any. */
+  static @Nullable SharedShapeState of(Node shape, InstanceTree tree) {
+    return shape.observer(
+        SharedShapeState.class, known -> known.shape == shape && known.tree == tree);
+  }
+
+  /** Notes what is asked for whenever the Shape is shown or hidden. */
+  private void lookAtShape() {
+    Mesh mesh = reading.mesh();
+    polygons = mesh == null ? 0 : mesh.polygons();
+    int field = shape.type().field("visible").map(FieldDefinition::index).orElse(-1);
+    visible = field < 0 || (Boolean) shape.value(field);
   }
 
   /**
@@ -79,27 +107,34 @@ final class SharedShapeState implements NodeObserver {
     return true;
   }
 
-  /** Returns the instances of the Shape; not to be modified. */
-  List<ShapeInstance> instances() {
-    return instances;
+  /** Returns whether the Shape is in no part of the scene. */
+  boolean unused() {
+    return first == null;
   }
 
   void add(ShapeInstance instance) {
-    if (instances.isEmpty()) {
-      instances = List.of(instance); // smaller than a list that grows
+    if (first == null) {
+      first = instance;
       return;
     }
-    if (instances.size() == 1) {
-      instances = new ArrayList<>(instances);
+    if (others.isEmpty()) {
+      others = new ArrayList<>();
     }
-    instances.add(instance);
+    others.add(instance);
   }
 
   void remove(ShapeInstance instance) {
-    if (instances.size() > 1) {
-      instances.remove(instance);
-    } else if (instances.contains(instance)) {
-      instances = List.of();
+    if (instance != first) {
+      others.remove(instance);
+    } else {
+      first = others.isEmpty() ? null : others.remove(0);
+    }
+  }
+
+  private void forEach(Consumer<ShapeInstance> action) {
+    if (first != null) {
+      action.accept(first);
+      others.forEach(action);
     }
   }
 
@@ -131,12 +166,11 @@ final class SharedShapeState implements NodeObserver {
   void judged(ShaderNode shader, boolean valid, boolean selected, List<Problem> problems) {
     shader.judged(valid, selected);
     tree.judged(shader);
-    problems.forEach(assets::told);
+    problems.forEach(tree.assets()::told);
   }
 
   int polygons() {
-    Mesh mesh = reading.mesh();
-    return mesh == null ? 0 : mesh.polygons();
+    return polygons;
   }
 
   /** Returns whether the geometry is text measured in pixels (X3D 4.0, 36.4.4). */
@@ -145,7 +179,7 @@ final class SharedShapeState implements NodeObserver {
   }
 
   boolean visible() {
-    return visibleField < 0 || (Boolean) shape.value(visibleField);
+    return visible;
   }
 
   /** Returns the movie textures in the appearance. */
@@ -160,6 +194,19 @@ final class SharedShapeState implements NodeObserver {
 
   private void observe() {
     shape.addObserver(this);
+    observeParts();
+  }
+
+  /** Begins to observe the nodes in the Shape, of which one is changing. */
+  @Override
+  public void partChanges(Node node) {
+    if (deferred) {
+      observeParts();
+    }
+  }
+
+  private void observeParts() {
+    deferred = false;
     geometry = shape.node("geometry");
     if (geometry != null) {
       inGeometry = observed(geometry);
@@ -168,7 +215,7 @@ final class SharedShapeState implements NodeObserver {
         changes += inGeometry.get(i).changes();
       }
       if (changes > 0) {
-        assets.asOf(geometry, changes);
+        tree.assets().asOf(geometry, changes);
       }
     }
     Node appearance = shape.node("appearance");
@@ -189,7 +236,7 @@ final class SharedShapeState implements NodeObserver {
       Node part = parts.get(i);
       part.addObserver(this);
       if (part.changes() > 0 && hasAsset(part)) {
-        assets.asOf(part, part.changes());
+        tree.assets().asOf(part, part.changes());
       }
       if (part instanceof SoundSourceNode film) {
         films = films.isEmpty() ? new ArrayList<>(1) : films;
@@ -220,9 +267,9 @@ final class SharedShapeState implements NodeObserver {
       return;
     }
     if (inGeometry.contains(node) && geometry != null) {
-      assets.changed(geometry);
+      tree.assets().changed(geometry);
     } else if (hasAsset(node)) {
-      assets.changed(node);
+      tree.assets().changed(node);
     }
     if (!pending) {
       pending = true;
@@ -240,23 +287,26 @@ final class SharedShapeState implements NodeObserver {
     ShapeReading before = reading;
     forget();
     observe();
-    for (ShapeInstance instance : instances) {
-      boolean wanted = instance.wanted;
-      instance.show(false, tree);
-      instance.wanted = wanted;
-    }
-    reading = ShapeReading.of(shape, geometry, assets);
+    forEach(
+        instance -> {
+          boolean wanted = instance.wanted;
+          instance.show(false, tree);
+          instance.wanted = wanted;
+        });
+    reading = ShapeReading.of(shape, geometry, tree.assets());
+    lookAtShape();
     if (reading.onScreen() != before.onScreen()
         || !films.equals(filmsBefore)
         || !reading.cubes().equals(before.cubes())) {
       tree.structureChanged();
     }
-    for (ShapeInstance instance : instances) {
-      instance.see(tree.sight());
-      instance.forgetBounds();
-      tree.changes().add(instance);
-      instance.show(instance.wanted, tree);
-    }
+    forEach(
+        instance -> {
+          instance.see(tree.sight());
+          instance.forgetBounds();
+          tree.changes().add(instance);
+          instance.show(instance.wanted, tree);
+        });
   }
 
   /** Stops observing; called when the last instance is removed. */

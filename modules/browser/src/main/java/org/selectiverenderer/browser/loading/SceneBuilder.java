@@ -110,12 +110,15 @@ final class SceneBuilder {
    *
    * @param template the template of a Shape or geometry node
    * @param attached whether more belongs to the node than its values: a file, an image, a program
+   * @param parts the nodes in a Shape; null for other nodes
    */
-  private record Recipe(@Nullable NodeTemplate template, boolean attached) {}
+  private record Recipe(
+      @Nullable NodeTemplate template, boolean attached, DeferredParts.@Nullable OfShape parts) {}
 
   /** The facts that all scenes of one file share, besides the values of its nodes. */
-  private final class SharedHead {
+  private final class SharedHead implements DeferredParts.FirstCopy {
     private final LoadedFile content;
+    private final DeferredParts deferred;
 
     final Map<ParsedNode, Recipe> recipes = new IdentityHashMap<>();
 
@@ -125,12 +128,17 @@ final class SceneBuilder {
     final Map<String, Integer> components;
     final Map<String, String> meta;
     final Map<String, String> exports;
+
+    /** The place of each DEF name in the file. */
+    final Map<String, Integer> names = new LinkedHashMap<>();
+
     private @Nullable List<String> includedBy;
     private @Nullable UrlContext origin;
 
     SharedHead(LoadedFile content) {
       this.content = content;
       X3dFile file = content.file();
+      deferred = new DeferredParts(factory, file);
       components = Collections.unmodifiableMap(new LinkedHashMap<>(file.components()));
       Map<String, String> named = new LinkedHashMap<>();
       file.meta().forEach(one -> named.put(one.name(), one.content()));
@@ -138,6 +146,7 @@ final class SceneBuilder {
       Map<String, String> exported = new LinkedHashMap<>();
       file.exports().forEach(export -> exported.put(export.as(), export.localDef()));
       exports = Collections.unmodifiableMap(exported);
+      file.named().keySet().forEach(name -> names.put(name, names.size()));
     }
 
     /** Returns the recipe of a node of the file; at the first time it reports the node's type. */
@@ -161,11 +170,24 @@ final class SceneBuilder {
               || type.component().equals("Geospatial")
               || BackgroundTextures.names(type)
               || content.images().containsKey(parsed);
+      if (type.name().equals("Shape")) {
+        DeferredParts.OfShape parts = deferred.new OfShape(parsed, this);
+        return new Recipe(new NodeTemplate(parsed.location(), mesh, parts), attached, parts);
+      }
       return new Recipe(
-          mesh != null || type.name().equals("Shape")
-              ? new NodeTemplate(parsed.location(), mesh)
-              : null,
-          attached);
+          mesh == null ? null : new NodeTemplate(parsed.location(), mesh), attached, null);
+    }
+
+    @Override
+    public boolean attached(ParsedNode parsed) {
+      Recipe known = recipes.get(parsed);
+      return known == null || known.attached();
+    }
+
+    @Override
+    public @Nullable NodeTemplate template(ParsedNode parsed) {
+      Recipe known = recipes.get(parsed);
+      return known == null ? null : known.template();
     }
 
     /** Returns the context of the file's urls where it is inlined by some other files. */
@@ -200,7 +222,6 @@ final class SceneBuilder {
       made = new IdentityHashMap<>(head.count > 0 ? head.count : 4 * file.named().size() + 32);
       origin = head.origin(above);
       Node top = factory.make(groupType, null, SourceLocation.of(file.source()));
-      store.origin(top, origin);
       scene =
           new Scene(
               top,
@@ -209,6 +230,7 @@ final class SceneBuilder {
               file.profile(),
               head.components,
               origin.unitLength());
+      scene.companion(origin);
     }
 
     Scene build() {
@@ -220,14 +242,9 @@ final class SceneBuilder {
       if (file.prototypes() != null && content.types().contains("Script")) {
         store.prototypes(scene.root(), file.prototypes());
       }
-      file.named()
-          .forEach(
-              (name, parsed) -> {
-                Node node = made.get(parsed);
-                if (node != null) {
-                  scene.name(name, node);
-                }
-              });
+      if (!file.named().isEmpty()) {
+        name(file.named());
+      }
       for (X3dFile.ParsedRoute route : file.routes()) {
         Optional<Node> from = end(route.from());
         Optional<Node> to = end(route.to());
@@ -240,6 +257,28 @@ final class SceneBuilder {
       scene.imports().refresh(scene, ImportUpdater::content, content::error);
       head.count = made.size();
       return scene;
+    }
+
+    private void name(Map<String, ParsedNode> named) {
+      Node[] nodes = new Node[named.size()];
+      int count = 0;
+      for (ParsedNode parsed : named.values()) {
+        Node node = made.get(parsed);
+        if (node != null) {
+          nodes[count++] = node;
+        }
+      }
+      if (count == nodes.length) {
+        scene.names(head.names, nodes);
+        return;
+      }
+      named.forEach( // Some were left out.
+          (name, parsed) -> {
+            Node node = made.get(parsed);
+            if (node != null) {
+              scene.name(name, node);
+            }
+          });
     }
 
     /**
@@ -267,7 +306,7 @@ final class SceneBuilder {
       depth++;
       Node node = factory.make(parsed.type(), parsed.name(), parsed.location());
       made.put(parsed, node);
-      node.init(values(parsed));
+      node.init(deferred(parsed) ? parsed.values() : values(parsed));
       Recipe recipe = head.recipe(parsed);
       if (recipe.template() != null) {
         node.template(recipe.template());
@@ -277,6 +316,20 @@ final class SceneBuilder {
       }
       depth--;
       return Optional.of(node);
+    }
+
+    /** Returns whether the nodes in a node are made later, and then counts them now. */
+    private boolean deferred(ParsedNode parsed) {
+      Recipe before = head.recipes.get(parsed);
+      if (before == null || before.parts() == null) {
+        return false;
+      }
+      int count = before.parts().count(head);
+      if (count <= 0 || nodes + count > maxNodes || depth + before.parts().height() > MAX_DEPTH) {
+        return false; // What is left out is told of each node.
+      }
+      nodes += count;
+      return true;
     }
 
     private boolean affordable(ParsedNode parsed) {

@@ -6,6 +6,7 @@ import org.selectiverenderer.browser.nodes.group.InlineNode;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.browser.scene.NodeObserver;
 import org.selectiverenderer.browser.scene.Scene;
+import org.selectiverenderer.browser.scene.SingleFieldListener;
 import org.selectiverenderer.sai.InlineSceneAccess;
 import org.selectiverenderer.sai.InlineSceneAccess.Registration;
 
@@ -14,14 +15,13 @@ import org.selectiverenderer.sai.InlineSceneAccess.Registration;
  * nodes. The listener is called like field listeners: after the event cascade, in the frame in
  * which a file has arrived.
  */
-final class InlineWatcher implements NodeObserver, Registration {
+final class InlineWatcher implements NodeObserver, SingleFieldListener, Registration {
   private final World world;
   private final InlineNode inline;
   private final int load;
   private final InlineSceneAccess.Listener listener;
   private final NodeProxy proxy;
   private @Nullable Scene content;
-  private @Nullable RootNodeWatcher roots;
   private boolean told = true;
   private boolean closed;
 
@@ -53,24 +53,34 @@ final class InlineWatcher implements NodeObserver, Registration {
   }
 
   private void follow() {
-    closeRoots();
+    leave();
     content = inline.shown().orElse(null);
     if (content != null) {
-      roots = new RootNodeWatcher(content, this::tell);
+      content.root().addListener(RootNodeWatcher.children(content), this);
     }
   }
 
-  private void closeRoots() {
-    if (roots != null) {
-      roots.close();
-      roots = null;
+  private void leave() {
+    if (content != null) {
+      content.root().removeListener(RootNodeWatcher.children(content), this);
     }
+  }
+
+  @Override
+  public int field() {
+    return content == null ? -1 : RootNodeWatcher.children(content);
+  }
+
+  /** Tells that the scene has other root nodes. */
+  @Override
+  public void fieldChanged(Node node, int index, @Nullable Object value, double time) {
+    tell(time);
   }
 
   @Override
   public void close() {
     closed = true;
     inline.removeObserver(this);
-    closeRoots();
+    leave();
   }
 }

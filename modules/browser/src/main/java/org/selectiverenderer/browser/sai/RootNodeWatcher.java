@@ -17,9 +17,14 @@ final class RootNodeWatcher implements SingleFieldListener, AutoCloseable {
 
   RootNodeWatcher(Scene scene, DoubleConsumer onChange) {
     this.root = scene.root();
-    this.children = root.type().indexOf("children");
+    this.children = children(scene);
     this.onChange = onChange;
     root.addListener(children, this);
+  }
+
+  /** Returns the field of a scene's root that holds the root nodes. */
+  static int children(Scene scene) {
+    return scene.root().type().indexOf("children");
   }
 
   @Override

@@ -11,6 +11,7 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 import org.selectiverenderer.x3d.catalogue.NodeType;
 import org.selectiverenderer.x3d.catalogue.NodeView;
 import org.selectiverenderer.x3d.field.PackedArray;
+import org.selectiverenderer.x3d.read.ParsedNode;
 
 /**
  * A node of a running scene: its field values with their routes, observers and listeners. This base
@@ -113,7 +114,10 @@ public class Node implements NodeView {
   public final @Nullable Object value(int field) {
     @Nullable Object[] now = values;
     Object value = field < now.length ? PackedArray.read(now[field]) : null;
-    return value != null ? value : type.fields().get(field).defaultValue();
+    if (value instanceof ParsedNode) {
+      value = makeParts()[field];
+    }
+    return value != null ? value : type.defaultValue(field);
   }
 
   /** Returns the node in an SFNode field, or null. */
@@ -179,6 +183,9 @@ public class Node implements NodeView {
 
   /** Notes that the node is no longer like others of its template: a node in it has changed. */
   public final void dropTemplate() {
+    if (partsDeferred()) {
+      makeParts();
+    }
     if (origin instanceof NodeTemplate template) {
       origin = template.location();
     }
@@ -188,11 +195,65 @@ public class Node implements NodeView {
    * Sets the initial values of all fields before the node is part of a world.
    *
    * @param initial the values by field, null for the default; not to be changed afterwards, as
-   *     nodes may share it
+   *     nodes may share it. A {@link ParsedNode} stands for a node that the template makes when it
+   *     is asked for
    */
   public final void init(@Nullable Object[] initial) {
     values = initial;
     sharing = true;
+  }
+
+  /**
+   * Returns whether the nodes in this one are not made yet: in a copy of a Shape of a file they are
+   * made when the first of them is asked for.
+   */
+  public final boolean partsDeferred() {
+    return sharing && isDeferred(values);
+  }
+
+  private static boolean isDeferred(@Nullable Object[] values) {
+    for (Object value : values) {
+      if (value instanceof ParsedNode) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /**
+   * Makes the nodes in this one and returns the values with them. Any thread may be the first to
+   * ask; all get the same nodes.
+   */
+  private synchronized @Nullable Object[] makeParts() {
+    @Nullable Object[] now = values;
+    if (!isDeferred(now)) {
+      return now;
+    }
+    NodeTemplate template = (NodeTemplate) origin;
+    NodeObserver watch = (part, field) -> tellOfPart();
+    @Nullable Object[] own = Arrays.copyOf(now, type.fields().size());
+    for (int i = 0; i < own.length; i++) {
+      if (own[i] instanceof ParsedNode parsed) {
+        Node part = template.make(parsed);
+        NodeSubgraphCollector.withMetadata(part).forEach(each -> each.addObserver(watch));
+        own[i] = part;
+      }
+    }
+    VarHandle.releaseFence();
+    values = own;
+    sharing = false;
+    return own;
+  }
+
+  private void tellOfPart() {
+    Object now = observers;
+    if (now instanceof ObserverList list) {
+      for (int i = 0; i < list.count; i++) {
+        list.all[i].partChanges(this);
+      }
+    } else if (now != null) {
+      ((NodeObserver) now).partChanges(this);
+    }
   }
 
   private void set(int field, @Nullable Object value) {
@@ -370,6 +431,21 @@ public class Node implements NodeView {
     } else if (observer.equals(observers)) {
       observers = null;
     }
+  }
+
+  /** Returns the first observer that is of a class and satisfies a condition, or null. */
+  public final <O extends NodeObserver> @Nullable O observer(
+      Class<O> kind, Predicate<? super O> wanted) {
+    Object now = observers;
+    if (!(now instanceof ObserverList list)) {
+      return kind.isInstance(now) && wanted.test(kind.cast(now)) ? kind.cast(now) : null;
+    }
+    for (int i = 0; i < list.count; i++) {
+      if (kind.isInstance(list.all[i]) && wanted.test(kind.cast(list.all[i]))) {
+        return kind.cast(list.all[i]);
+      }
+    }
+    return null;
   }
 
   /** Adds a listener; listeners are called in the order in which they were added. */

@@ -8,4 +8,10 @@ package org.selectiverenderer.browser.scene;
 @FunctionalInterface
 public interface NodeObserver {
   void changed(Node node, int field);
+
+  /**
+   * Is notified that a node in an observed one changes whose nodes were deferred: an observer that
+   * wants to hear of the nodes in it begins now to observe them, and hears of this change.
+   */
+  default void partChanges(Node node) {}
 }

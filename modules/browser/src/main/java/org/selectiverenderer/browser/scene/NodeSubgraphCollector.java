@@ -8,7 +8,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.catalogue.FieldDefinition;
 
-/** Collects a node and all nodes in its fields, recursively, except metadata. */
+/** Collects a node and all nodes in its fields, recursively, mostly without metadata. */
 public final class NodeSubgraphCollector {
   /** Number of nodes up to which a list is searched faster than a hash set is filled. */
   private static final int FEW = 16;
@@ -18,11 +18,22 @@ public final class NodeSubgraphCollector {
   /** The same nodes; null while they are few, as in most shapes. */
   private @Nullable Set<Node> many;
 
-  private NodeSubgraphCollector() {}
+  private final boolean metadata;
 
-  /** Returns the nodes, each once, in document order. */
+  private NodeSubgraphCollector(boolean metadata) {
+    this.metadata = metadata;
+  }
+
+  /** Returns the nodes except metadata, each once, in document order. */
   public static List<Node> of(Node node) {
-    NodeSubgraphCollector collector = new NodeSubgraphCollector();
+    NodeSubgraphCollector collector = new NodeSubgraphCollector(false);
+    collector.add(node);
+    return collector.found;
+  }
+
+  /** Returns the nodes and their metadata, each once. */
+  static List<Node> withMetadata(Node node) {
+    NodeSubgraphCollector collector = new NodeSubgraphCollector(true);
     collector.add(node);
     return collector.found;
   }
@@ -41,6 +52,12 @@ public final class NodeSubgraphCollector {
         for (int j = 0; j < children.size(); j++) {
           add((Node) children.get(j));
         }
+      }
+    }
+    if (metadata && node.type().field("metadata").isPresent()) {
+      Node described = node.node("metadata");
+      if (described != null) {
+        add(described);
       }
     }
   }

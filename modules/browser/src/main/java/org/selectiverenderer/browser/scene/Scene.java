@@ -32,6 +32,7 @@ public final class Scene {
   private Set<Route> routes = Collections.emptySet();
   private Set<Node> loose = Collections.emptySet();
   private @Nullable Set<String> types;
+  private @Nullable Object companion;
 
   /**
    * @param root a Group that holds the scene's top nodes in its {@code children}
@@ -57,6 +58,15 @@ public final class Scene {
   /** Returns the group that holds the root nodes; it is no part of the file. */
   public Node root() {
     return root;
+  }
+
+  /** Returns the object that the loader has attached to this scene; null without one. */
+  public @Nullable Object companion() {
+    return companion;
+  }
+
+  public void companion(Object object) {
+    companion = object;
   }
 
   public String url() {
@@ -125,6 +135,17 @@ public final class Scene {
     return Optional.ofNullable(named.get(name));
   }
 
+  /**
+   * Sets the DEF names of a file, which the scenes of the file share until one changes.
+   *
+   * @param places the place of each name's node, in document order; not to be changed
+   * @param nodes the nodes; not to be changed
+   */
+  public void names(Map<String, Integer> places, Node[] nodes) {
+    named = new NamesOfFile(places, nodes);
+    places.forEach((name, place) -> nodes[place].rename(name));
+  }
+
   /** Assigns a DEF name to a node; a name in use is moved to that node. */
   public void name(String name, Node node) {
     named = own(named);
@@ -141,6 +162,7 @@ public final class Scene {
     if (node == null) {
       return;
     }
+    named = own(named);
     named.remove(name);
     if (name.equals(node.name())) {
       node.rename(null);

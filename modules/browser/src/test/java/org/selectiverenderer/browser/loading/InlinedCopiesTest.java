@@ -118,5 +118,11 @@ class InlinedCopiesTest extends RunningSceneLoaderTestCase {
     assertThat(first.find("A")).isEmpty();
     assertThat(first.named().keySet()).containsExactly("S", "M", "F", "C", "T");
     assertThat(List.copyOf(copy(1).named().keySet())).containsExactly("S", "A", "M", "F", "C", "T");
+    Node material = node(2, "M");
+    copy(2).name("S", material);
+    assertThat(copy(2).find("S")).containsSame(material);
+    assertThat(material.name()).isEqualTo("S");
+    assertThat(copy(1).named()).containsEntry("M", node(1, "M")).hasSize(6);
+    assertThat(node(1, "S").type().name()).isEqualTo("Shape");
   }
 }

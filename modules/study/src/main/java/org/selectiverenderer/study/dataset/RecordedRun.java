@@ -12,6 +12,7 @@ import java.util.OptionalDouble;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.study.headlog.HeadLog;
 import org.selectiverenderer.study.headlog.HeadLogReader;
+import org.selectiverenderer.study.headlog.SwitchSightings;
 
 /**
  * A run (BIDS): one presentation of a scene, practice or exposure, to its end or its interruption.
@@ -75,6 +76,15 @@ public record RecordedRun(
   /** Returns the time of a log's last sample. */
   static double end(HeadLog log) {
     return log.samples().get(log.samples().size() - 1).t();
+  }
+
+  /** Returns the changes of versions that the journal tells, and what was seen of them. */
+  public SwitchSightings switches() {
+    return SwitchSightings.of(
+        events.stream()
+            .filter(line -> line.event().equals("scene"))
+            .map(line -> line.members().path("what"))
+            .toList());
   }
 
   /** Returns for how long the experimenter had the run paused, in seconds. */

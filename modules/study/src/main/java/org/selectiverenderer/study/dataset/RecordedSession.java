@@ -1,6 +1,7 @@
 package org.selectiverenderer.study.dataset;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.time.OffsetDateTime;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -51,6 +52,29 @@ public final class RecordedSession {
       return Optional.empty();
     }
     return Optional.of(new RecordedSession(folder, events));
+  }
+
+  /**
+   * Returns the run whose head log a file is.
+   *
+   * @param headLog the head log's CSV file
+   * @param problems receives each damaged line of the session's journal
+   * @return empty if the file is not in the folder of a session, or its journal has no such run
+   * @throws IOException if the journal cannot be read
+   */
+  public static Optional<RecordedRun> runOf(Path headLog, ProblemCollector problems)
+      throws IOException {
+    Optional<SessionFolder> folder = SessionFolder.ofHeadLog(headLog);
+    if (folder.isEmpty()) {
+      return Optional.empty();
+    }
+    List<JournalEvent> events = JournalEvent.read(folder.get().journal(), problems);
+    return events.isEmpty()
+        ? Optional.empty()
+        : new RecordedSession(folder.get(), events)
+            .runs().stream()
+                .filter(run -> run.headLog().getFileName().equals(headLog.getFileName()))
+                .findFirst();
   }
 
   private List<RecordedRun> runs(List<JournalEvent> all) {

@@ -22,8 +22,8 @@ import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.formats.json.JsonTree;
 
 /**
- * The changes of versions that a time line ({@code run --timeline}) tells, and what the viewer saw
- * of them.
+ * The changes of versions that a time line ({@code run --timeline}) or the journal of a session
+ * tells, and what the viewer saw of them.
  *
  * @param changes in the order of the time line
  */
@@ -87,6 +87,19 @@ public record SwitchSightings(List<Change> changes) {
       throw new IOException(file + ": is not a time line in UTF-8", e);
     }
     return new SwitchSightings(changes);
+  }
+
+  /**
+   * Returns the changes among the events of a time line; changes that do not tell whether they were
+   * seen are left out.
+   */
+  public static SwitchSightings of(List<JsonNode> events) {
+    return new SwitchSightings(
+        events.stream()
+            .filter(event -> event.path("event").asText().equals("switch"))
+            .filter(event -> event.path("visible").isBoolean())
+            .map(SwitchSightings::change)
+            .toList());
   }
 
   private static JsonNode parsed(String line, SourceLocation place, ProblemCollector problems) {

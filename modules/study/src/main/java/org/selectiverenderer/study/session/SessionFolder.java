@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.selectiverenderer.base.files.AtomicFileWriter;
@@ -38,6 +39,23 @@ public record SessionFolder(Path study, String participant, int number) {
       }
     }
     return all;
+  }
+
+  /** Returns the folder of the session, with a journal, that has a head log; empty if none has. */
+  public static Optional<SessionFolder> ofHeadLog(Path log) {
+    Path head = log.toAbsolutePath().normalize().getParent();
+    Path session = head == null ? null : head.getParent();
+    Path subject = session == null ? null : session.getParent();
+    Path study = subject == null ? null : subject.getParent();
+    if (study == null
+        || !String.valueOf(head.getFileName()).equals("head")
+        || !String.valueOf(session.getFileName()).matches("ses-\\d{2,9}")
+        || !String.valueOf(subject.getFileName()).matches("sub-" + LABEL)) {
+      return Optional.empty();
+    }
+    SessionFolder found =
+        new SessionFolder(study, label(subject), Integer.parseInt(label(session)));
+    return Optional.of(found).filter(folder -> Files.isRegularFile(folder.journal()));
   }
 
   /** Returns the ids of the participants with a folder, as the folders spell them. */

@@ -1,10 +1,9 @@
 package org.selectiverenderer.walkthrough.transition;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.joml.Vector3d;
-import org.selectiverenderer.browser.instance.GroupInstance;
-import org.selectiverenderer.browser.instance.Instance;
 import org.selectiverenderer.browser.instance.ShapeInstance;
 import org.selectiverenderer.geometry.mesh.Mesh;
 
@@ -16,10 +15,11 @@ final class SurfaceSamples {
   /** The number of points of a version that has an area. */
   static final int COUNT = 24;
 
-  /** The fractional parts of multiples of these numbers fill a square evenly (Roberts 2018). */
-  private static final double FIRST = 0.7548776662466927;
-
-  private static final double SECOND = 0.5698402909980532;
+  /**
+   * The number of triangles of a version from which on only some of them, evenly spread, are looked
+   * at: the first look at an object must not hold up a frame.
+   */
+  private static final int MOST = 1024;
 
   /**
    * A point of a surface.
@@ -28,11 +28,6 @@ final class SurfaceSamples {
    *     the area that the point stands for; without length for points of lines and of point sets
    */
   record Sample(ShapeInstance shape, Mesh mesh, Vector3d at, Vector3d[] edges) {
-    /** Returns whether the shape still has the mesh of the point. */
-    boolean current() {
-      return shape.mesh().orElse(null) == mesh;
-    }
-
     Vector3d world() {
       return shape.world().transformPosition(at, new Vector3d());
     }
@@ -48,58 +43,45 @@ final class SurfaceSamples {
 
   private SurfaceSamples() {}
 
-  /** Returns the points of what a version draws where it is shown. */
-  static List<Sample> of(Instance version) {
-    List<ShapeInstance> shapes = new ArrayList<>();
-    collect(version, shapes);
-    double all = 0;
+  /** Returns the points on shapes that have meshes. */
+  static List<Sample> of(List<ShapeInstance> shapes) {
+    long all = 0;
     for (ShapeInstance shape : shapes) {
-      all += area(shape);
+      all += shape.mesh().orElseThrow().polygons();
     }
     List<Sample> samples = new ArrayList<>();
-    double before = 0;
+    List<Sample> triangles = new ArrayList<>();
+    List<Double> areas = new ArrayList<>();
     for (ShapeInstance shape : shapes) {
       Mesh mesh = shape.mesh().orElseThrow();
       if (mesh.polygons() == 0) {
         corners(shape, mesh, samples);
-      } else if (all > 0) {
-        before = spread(shape, mesh, before, all / COUNT, samples);
+        continue;
+      }
+      int count = looked(mesh, all);
+      for (int n = 0; n < count; n++) {
+        Sample triangle = triangle(shape, mesh, (int) ((long) n * mesh.polygons() / count));
+        triangles.add(triangle);
+        areas.add(triangle.area().length() * mesh.polygons() / count);
       }
     }
+    spread(triangles, areas.stream().mapToDouble(Double::doubleValue).toArray(), samples);
     return List.copyOf(samples);
   }
 
-  private static void collect(Instance instance, List<ShapeInstance> found) {
-    if (instance instanceof ShapeInstance shape) {
-      if (shape.mesh().filter(mesh -> !mesh.isEmpty()).isPresent()) {
-        found.add(shape);
-      }
-    } else if (instance instanceof GroupInstance group) {
-      for (int i = 0; i < group.children().size(); i++) {
-        if (group.node().shows(i)) {
-          collect(group.children().get(i), found);
-        }
-      }
-    }
+  /** Returns the number of triangles of a shape that are looked at. */
+  private static int looked(Mesh mesh, long all) {
+    int own = mesh.polygons();
+    return all <= MOST ? own : (int) Math.max(1, (long) own * MOST / all);
   }
 
-  private static double area(ShapeInstance shape) {
-    Mesh mesh = shape.mesh().orElseThrow();
+  /** Returns a triangle as a point in its first corner that stands for the whole of it. */
+  private static Sample triangle(ShapeInstance shape, Mesh mesh, int t) {
     int[] indices = mesh.indices();
-    double sum = 0;
-    for (int t = 0; t < mesh.polygons(); t++) {
-      sum += triangle(shape, mesh, indices, t).area().length();
-    }
-    return sum;
-  }
-
-  /** Returns the middle of a triangle as a point that stands for the whole of it. */
-  private static Sample triangle(ShapeInstance shape, Mesh mesh, int[] indices, int t) {
     Vector3d a = corner(mesh, indices[3 * t]);
     Vector3d b = corner(mesh, indices[3 * t + 1]).sub(a);
     Vector3d c = corner(mesh, indices[3 * t + 2]).sub(a);
-    Vector3d middle = new Vector3d(a).fma(1 / 3.0, b).fma(1 / 3.0, c);
-    return new Sample(shape, mesh, middle, new Vector3d[] {b, c});
+    return new Sample(shape, mesh, a, new Vector3d[] {b, c});
   }
 
   private static Vector3d corner(Mesh mesh, int vertex) {
@@ -108,37 +90,29 @@ final class SurfaceSamples {
     return new Vector3d(all[at], all[at + 1], all[at + 2]);
   }
 
-  /**
-   * Adds a point wherever the area so far passes the middle of another share.
-   *
-   * @param before area of the shapes before
-   * @param share area for which a point stands
-   * @return the area including that of the shape
-   */
-  private static double spread(
-      ShapeInstance shape, Mesh mesh, double before, double share, List<Sample> to) {
-    int[] indices = mesh.indices();
-    double sum = before;
-    for (int t = 0; t < mesh.polygons(); t++) {
-      Sample whole = triangle(shape, mesh, indices, t);
-      double area = whole.area().length();
+  /** Adds a point wherever the area so far passes the middle of another share. */
+  private static void spread(List<Sample> triangles, double[] areas, List<Sample> to) {
+    double share = Arrays.stream(areas).sum() / COUNT;
+    double sum = 0;
+    for (int t = 0; share > 0 && t < areas.length; t++) {
+      Sample whole = triangles.get(t);
       long first = Math.round(sum / share);
-      sum += area;
+      sum += areas[t];
       long end = Math.round(sum / share);
       for (long n = first; n < end; n++) {
-        double u = n * FIRST % 1;
-        double v = n * SECOND % 1;
+        double u = PlaneSequence.first(n);
+        double v = PlaneSequence.second(n);
         if (u + v > 1) {
           u = 1 - u;
           v = 1 - v;
         }
-        Vector3d at =
-            corner(mesh, indices[3 * t]).fma(u, whole.edges()[0]).fma(v, whole.edges()[1]);
-        Vector3d scaled = new Vector3d(whole.edges()[0]).mul(share / area);
-        to.add(new Sample(shape, mesh, at, new Vector3d[] {scaled, whole.edges()[1]}));
+        Vector3d at = new Vector3d(whole.at()).fma(u, whole.edges()[0]).fma(v, whole.edges()[1]);
+        double larger = share / whole.area().length();
+        Vector3d scaled = new Vector3d(whole.edges()[0]).mul(larger);
+        Vector3d[] edges = {scaled, whole.edges()[1]};
+        to.add(new Sample(whole.shape(), whole.mesh(), at, edges));
       }
     }
-    return sum;
   }
 
   /** Adds corners of lines or of a point set, which have no area. */

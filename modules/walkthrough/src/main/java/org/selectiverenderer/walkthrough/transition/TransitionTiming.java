@@ -1,11 +1,14 @@
 package org.selectiverenderer.walkthrough.transition;
 
 import java.util.HashSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.Function;
 import org.joml.Quaterniond;
 import org.selectiverenderer.browser.World;
+import org.selectiverenderer.browser.collision.MeshBvhCache;
 import org.selectiverenderer.browser.nodes.group.SwitchNode;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.control.SwitchTiming;
@@ -18,7 +21,7 @@ import org.web3d.x3d.sai.X3DNode;
  * step of the world, in which the controller asks, and {@link #end}. Nothing is seen before the end
  * of the first frame. Belongs to the thread that steps the world.
  */
-public final class TransitionTiming implements SwitchTiming {
+public final class TransitionTiming implements SwitchTiming, AutoCloseable {
   private static final SwitchVisibility UNSEEN = new SwitchVisibility(false, 0, 0);
 
   private record Question(Node node, int shown, int choice) {}
@@ -33,6 +36,7 @@ public final class TransitionTiming implements SwitchTiming {
   /** The questions of this frame that were answered with yes. */
   private final Set<Question> granted = new HashSet<>();
 
+  private volatile boolean closed;
   private boolean observing;
   private boolean unfinished;
   private double time = Double.NaN;
@@ -52,6 +56,28 @@ public final class TransitionTiming implements SwitchTiming {
   /** Estimates from now on what is seen of each change. */
   public void observe() {
     observing = true;
+  }
+
+  /**
+   * Begins to build on another thread what the rays of frames need, so that the first change of
+   * large objects does not hold up its frame. Call it before the first frame.
+   */
+  public void prepare() {
+    if (observing || transition instanceof SwitchTransition.Unseen) {
+      List<MeshBvhCache.Task> tasks = estimator.prepare();
+      CompletableFuture.runAsync(
+          () -> {
+            for (int i = 0; i < tasks.size() && !closed; i++) {
+              tasks.get(i).run();
+            }
+          });
+    }
+  }
+
+  /** Ends what {@link #prepare} has begun. */
+  @Override
+  public void close() {
+    closed = true;
   }
 
   /**
@@ -112,21 +138,29 @@ public final class TransitionTiming implements SwitchTiming {
 
   @Override
   public Optional<SwitchVisibility> shows(X3DNode switchNode, int choice) {
+    if (!observing && !(transition instanceof SwitchTransition.Fade)) {
+      return Optional.empty();
+    }
     Node node = nodes.apply(switchNode);
-    Optional<SwitchVisibility> seen =
-        !observing
-            ? Optional.empty()
-            : nothingSeen()
-                ? Optional.of(UNSEEN)
-                : estimator
-                    .of(node, shown(node), choice, true)
-                    .map(of -> new SwitchVisibility(of.visible(), of.pixels(), turning()));
+    Optional<SwitchVisibility> seen = observing ? seen(node, choice) : Optional.empty();
     if (transition instanceof SwitchTransition.Fade fade
         && !nothingSeen()
         && shown(node) != choice) {
       world.instances().fades().begin(node, shown(node), choice, fade.milliseconds() / 1000);
     }
     return seen;
+  }
+
+  private Optional<SwitchVisibility> seen(Node node, int choice) {
+    if (nothingSeen()) {
+      return Optional.of(UNSEEN);
+    }
+    if (granted.contains(new Question(node, shown(node), choice))) {
+      return Optional.of(new SwitchVisibility(false, 0, turning()));
+    }
+    return estimator
+        .of(node, shown(node), choice, true)
+        .map(of -> new SwitchVisibility(of.visible(), of.pixels(), turning()));
   }
 
   private static int shown(Node node) {

@@ -150,10 +150,14 @@ public final class UrlResolver {
    * do not read it. Fetches nothing.
    */
   public void note(String url, BaseUrl base) {
-    String location = url.strip();
-    if (!DataUrl.is(location) && !HttpUrl.is(location) && !overNetwork(base)) {
+    if (!DataUrl.is(url.strip()) && !onNetwork(url, base)) {
       resolve(url, base);
     }
+  }
+
+  /** Returns whether a url may refer to the network, by itself or by its base. */
+  public static boolean onNetwork(String url, BaseUrl base) {
+    return HttpUrl.is(url.strip()) || overNetwork(base);
   }
 
   private static boolean overNetwork(BaseUrl base) {

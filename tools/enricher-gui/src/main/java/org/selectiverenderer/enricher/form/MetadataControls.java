@@ -2,6 +2,7 @@ package org.selectiverenderer.enricher.form;
 
 import java.awt.FontMetrics;
 import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -28,7 +29,11 @@ final class MetadataControls {
   private final JPanel complaints;
   private final List<FieldBinding> fields;
 
-  MetadataControls(EnricherSession session, MetadataFormModel editing, Names names) {
+  /**
+   * @param others labels for what is wrong with controls before these, said in the same line
+   */
+  MetadataControls(
+      EnricherSession session, MetadataFormModel editing, Names names, JLabel... others) {
     type.addItem(MetadataFormModel.none());
     for (ConsistencyType each : ConsistencyType.values()) {
       type.addItem(each.spelling());
@@ -50,7 +55,11 @@ final class MetadataControls {
     JLabel degreeComplaint = LabelFactory.complaint();
     JLabel schemasComplaint = LabelFactory.complaint();
     JLabel typeComplaint = LabelFactory.complaint();
-    complaints = LabelFactory.room(typeComplaint, degreeComplaint, schemasComplaint);
+    complaints =
+        LabelFactory.room(
+            Stream.concat(
+                    Stream.of(others), Stream.of(typeComplaint, degreeComplaint, schemasComplaint))
+                .toArray(JLabel[]::new));
     fields =
         List.of(
             FieldBinding.of(

@@ -79,11 +79,11 @@ final class QualitiesForm {
     JLabel versionsComplaint = LabelFactory.complaint();
     panel.add(new JSeparator(), "spanx 3, growx");
     panel.add(title, "spanx 3");
-    panel.add(LabelFactory.of(Texts.of("quality.versions"), versions, "quality"));
+    panel.add(LabelFactory.of(Texts.of("quality.versions"), versions));
     panel.add(versions, "spanx 2, wmin 0");
     panel.add(versionsComplaint, "spanx 3, wmin 0");
     panel.add(list, "spanx 3, growx, wmin 0");
-    panel.add(LabelFactory.of(Texts.of("quality.target"), target, "field"), "spanx 3, gaptop 8");
+    panel.add(LabelFactory.of(Texts.of("quality.target"), target), "spanx 3, gaptop 8");
     panel.add(target, "spanx 2, growx, wmin 0");
     panel.add(add);
     panel.add(complaint, "spanx 3, wmin 0");

@@ -22,6 +22,7 @@ import org.selectiverenderer.browser.nodes.group.SwitchNode;
 import org.selectiverenderer.browser.nodes.sensor.TimeSensorNode;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.browser.scene.NodeSubgraphCollector;
+import org.selectiverenderer.browser.scene.Scene;
 import org.selectiverenderer.enricher.preview.ScenePatch.Place;
 
 /**
@@ -45,7 +46,8 @@ final class PreviewNodeIndex {
   /** The ProtoInstance of the document that has made a node. */
   private final Map<Node, ProtoInstanceOrigin> instances = new LinkedHashMap<>();
 
-  private final Set<SwitchNode> switches = new LinkedHashSet<>();
+  /** The file of each Switch. */
+  private final Map<SwitchNode, Scene> switches = new LinkedHashMap<>();
 
   PreviewNodeIndex(World world) {
     this.world = world;
@@ -66,23 +68,30 @@ final class PreviewNodeIndex {
     switches.clear();
     collect(world.instances().root(), null);
     index();
-    switches(world.instances().root());
+    switches(world.instances().root(), world.scene());
   }
 
-  private void switches(GroupInstance group) {
+  private void switches(GroupInstance group, Scene file) {
+    Scene within =
+        group.node() instanceof InlineNode inlined ? inlined.content().orElse(file) : file;
     if (group.node() instanceof SwitchNode versions) {
-      switches.add(versions);
+      switches.putIfAbsent(versions, within);
     }
     for (Instance child : group.children()) {
       if (child instanceof GroupInstance below) {
-        switches(below);
+        switches(below, within);
       }
     }
   }
 
   /** All Switches, those of inlined files too, in document order. */
   Set<SwitchNode> switches() {
-    return Collections.unmodifiableSet(switches);
+    return Collections.unmodifiableSet(switches.keySet());
+  }
+
+  /** Finds a node by its name in the file of a Switch. */
+  Optional<Node> named(SwitchNode object, String name) {
+    return Optional.ofNullable(switches.get(object)).flatMap(file -> file.find(name));
   }
 
   /**

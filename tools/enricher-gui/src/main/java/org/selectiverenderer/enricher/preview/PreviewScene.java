@@ -65,14 +65,9 @@ final class PreviewScene implements AutoCloseable {
             : OptionalDouble.empty();
     nodes = new PreviewNodeIndex(world);
     areas = new SensorBoxOverlay(world, nodes);
-    asIf = new SchemaSimulator(nodes.switches(), this::named, world.cascade());
+    asIf = new SchemaSimulator(nodes.switches(), nodes::named, world.cascade());
     rays = new RayCaster(world.instances(), world.meshes());
     browser = new EmbeddedBrowser(world, loaded.loader(), text -> {}, Map.of());
-  }
-
-  /** Finds a node by the name that qualities of an object of the document name it by. */
-  private Optional<Node> named(SwitchNode object, String name) {
-    return nodes.contains(object) ? world.scene().find(name) : Optional.empty();
   }
 
   World world() {
@@ -120,7 +115,7 @@ final class PreviewScene implements AutoCloseable {
     }
     revision = patch.revision();
     areas = new SensorBoxOverlay(world, nodes);
-    asIf = new SchemaSimulator(nodes.switches(), this::named, world.cascade());
+    asIf = new SchemaSimulator(nodes.switches(), nodes::named, world.cascade());
     asIf(schemas); // Also shows the chosen version of an object again.
     counted = -1;
     return true;

@@ -5,12 +5,13 @@ import java.util.List;
 import org.selectiverenderer.authoring.enrichment.ChoiceMetadata;
 import org.selectiverenderer.authoring.ratings.RatingPlan;
 import org.selectiverenderer.authoring.ratings.RatingPlan.ImpliedSchema;
+import org.selectiverenderer.authoring.ratings.RatingScale;
+import org.selectiverenderer.authoring.ratings.Ratings;
 import org.selectiverenderer.base.decimal.DecimalFormatter;
 import org.selectiverenderer.enricher.table.RowTableModel;
 import org.selectiverenderer.enricher.text.Texts;
 import org.selectiverenderer.schema.ConsistencyDegree;
 import org.selectiverenderer.schema.ConsistencyType;
-import org.selectiverenderer.schema.RatingBand;
 
 /**
  * The table model of what the ratings imply: their means, the bands of thesis 5.1, and the
@@ -51,7 +52,7 @@ final class ImpliedMetadataTableModel extends RowTableModel<ImpliedMetadataTable
   private void refresh() {
     List<Row> fresh = new ArrayList<>();
     model.plan().ifPresent(plan -> add(plan, fresh));
-    show(fresh);
+    update(fresh);
   }
 
   private void add(RatingPlan plan, List<Row> rows) {
@@ -65,7 +66,7 @@ final class ImpliedMetadataTableModel extends RowTableModel<ImpliedMetadataTable
                 implied.schema(),
                 gaze ? "" : DecimalFormatter.fixed(implied.mean().value(), 2),
                 gaze ? "" : DecimalFormatter.grouped(implied.mean().count()),
-                gaze ? Texts.of("ratings.fromgaze") : band(implied.mean().band()),
+                gaze ? Texts.of("ratings.fromgaze") : band(implied.mean()),
                 implied
                     .choice()
                     .map(choice -> metadata(choice, row.choices()))
@@ -111,8 +112,13 @@ final class ImpliedMetadataTableModel extends RowTableModel<ImpliedMetadataTable
             .orElseGet(() -> Texts.of("ratings.nodegree")));
   }
 
-  private static String band(RatingBand band) {
-    return switch (band) {
+  private String band(Ratings.Mean mean) {
+    if (model.scale() == RatingScale.LINEAR) {
+      return Texts.of(
+          "ratings.scaled",
+          DecimalFormatter.fixed(RatingScale.degree(mean.value()), 2));
+    }
+    return switch (mean.band()) {
       case NON_EXPECTANT -> Texts.of("ratings.unexpected");
       case NEUTRAL -> Texts.of("ratings.neutral");
       case EXPECTANT -> Texts.of("ratings.expected");

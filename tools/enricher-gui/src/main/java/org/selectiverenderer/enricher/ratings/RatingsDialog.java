@@ -209,7 +209,7 @@ public final class RatingsDialog extends JDialog {
             () -> RatingsImportModel.read(logs, scene, objects),
             model::take,
             failure ->
-                model.problem(
+                model.unreadLogs(
                     new Problem(
                         Problem.Severity.ERROR,
                         SourceLocation.of(logs.get(0).toString()),
@@ -226,7 +226,7 @@ public final class RatingsDialog extends JDialog {
           .run(
               Texts.of("ratings.reading.logs"),
               () -> logs.of(objects),
-              proposals -> model.take(logs, proposals),
+              proposals -> model.take(logs, objects, proposals),
               failure -> summary.setText(failure.getMessage()));
     }
   }

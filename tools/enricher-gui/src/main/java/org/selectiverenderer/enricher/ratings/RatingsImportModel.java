@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
@@ -28,19 +29,32 @@ import org.selectiverenderer.enricher.text.Texts;
  * and the implied metadata, which follows each correction at once. Not thread-safe.
  */
 final class RatingsImportModel {
-  /** The result of reading head logs. */
-  record Logs(GazeProposals read, List<GazeProposal> proposals, List<Problem> problems) {}
+  /**
+   * The result of reading head logs.
+   *
+   * @param objects what the proposals rest on beside the logs
+   */
+  record Logs(
+      GazeProposals read,
+      ViewedObjects objects,
+      List<GazeProposal> proposals,
+      List<Problem> problems) {}
 
   /** The result of reading a table. */
   record Table(String name, Optional<Ratings> ratings, List<Problem> problems) {}
 
   private final DocumentEnrichment enrichment;
   private final List<Runnable> listeners = new ArrayList<>();
-  private List<Problem> problems = List.of();
+  private List<Problem> ofTable = List.of();
+  private List<Problem> ofLogs = List.of();
   private String name = "";
   private @Nullable Ratings ratings;
   private @Nullable ObjectNameMatcher matching;
   private @Nullable RatingPlan plan;
+
+  /** The objects with the ratings of the table; null after a change of either. */
+  private @Nullable ViewedObjects viewed;
+
   private boolean unratedFollow = true;
   private RatingScale scale = RatingScale.BANDS;
   private final GazeImport gaze = new GazeImport();
@@ -63,40 +77,55 @@ final class RatingsImportModel {
   /** Uses a table that was read; of one with errors only the problems are listed. */
   void take(Table table) {
     name = table.name();
-    problems = table.problems();
+    ofTable = table.problems();
     ratings = table.ratings().orElse(null);
     matching =
         ratings == null
             ? null
             : new ObjectNameMatcher(ratings.means().keySet(), enrichment.switches());
+    rematched();
+  }
+
+  private void rematched() {
+    viewed = null;
     gazeStale = gaze.logs() != null;
     work();
   }
 
   /** What logs name in the scene as it is now, with the ratings of the table. */
   ViewedObjects viewed() {
-    return ratings == null || matching == null
-        ? ViewedObjects.of(enrichment)
-        : new ViewedObjects(enrichment, ratings, matching);
+    ViewedObjects objects = viewed;
+    if (objects == null) {
+      objects =
+          ratings == null || matching == null
+              ? ViewedObjects.of(enrichment)
+              : new ViewedObjects(enrichment, ratings, matching);
+      viewed = objects;
+    }
+    return objects;
   }
 
   /** Reads head logs and makes proposals; thread-safe. */
   static Logs read(List<Path> logs, String scene, ViewedObjects objects) throws IOException {
     ProblemCollector problems = new ProblemCollector();
     GazeProposals read = GazeProposals.read(logs, scene, problems);
-    return new Logs(read, read.of(objects), problems.list());
+    return new Logs(read, objects, read.of(objects), problems.list());
   }
 
   /** Uses logs that were read. */
   void take(Logs logs) {
-    problems = logs.problems();
-    take(logs.read(), logs.proposals());
+    ofLogs = logs.problems();
+    take(logs.read(), logs.objects(), logs.proposals());
   }
 
-  /** Uses new proposals from the logs that were read. */
-  void take(GazeProposals read, List<GazeProposal> proposals) {
+  /**
+   * Uses new proposals from the logs that were read.
+   *
+   * @param objects what they rest on beside the logs, which another table may have changed since
+   */
+  void take(GazeProposals read, ViewedObjects objects, List<GazeProposal> proposals) {
     gaze.take(read, proposals);
-    gazeStale = false;
+    gazeStale = objects != viewed();
     work();
   }
 
@@ -117,9 +146,9 @@ final class RatingsImportModel {
     work();
   }
 
-  /** Lists a problem alone, as of logs that could not be read. */
-  void problem(Problem problem) {
-    problems = List.of(problem);
+  /** Lists why logs could not be read. */
+  void unreadLogs(Problem problem) {
+    ofLogs = List.of(problem);
     listeners.forEach(Runnable::run);
   }
 
@@ -127,6 +156,10 @@ final class RatingsImportModel {
   void unratedFollow(boolean follow) {
     unratedFollow = follow;
     work();
+  }
+
+  RatingScale scale() {
+    return scale;
   }
 
   /** Sets how ratings choose among versions. */
@@ -141,8 +174,7 @@ final class RatingsImportModel {
     if (current != null) {
       switchName.ifPresentOrElse(
           name -> current.choose(object, name), () -> current.leaveOut(object));
-      gazeStale = gaze.logs() != null;
-      work();
+      rematched();
     }
   }
 
@@ -153,8 +185,7 @@ final class RatingsImportModel {
       current.matches().stream()
           .filter(match -> match.how() == ObjectNameMatcher.How.PROPOSED)
           .forEach(match -> current.choose(match.object(), match.switchName().orElseThrow()));
-      gazeStale = gaze.logs() != null;
-      work();
+      rematched();
     }
   }
 
@@ -194,8 +225,9 @@ final class RatingsImportModel {
     return Optional.ofNullable(plan);
   }
 
+  /** The problems of the table, then those of the logs. */
   List<Problem> problems() {
-    return problems;
+    return Stream.concat(ofTable.stream(), ofLogs.stream()).toList();
   }
 
   /** One sentence for each thing left out: ratings not used, proposals, objects not rated. */
@@ -259,7 +291,7 @@ final class RatingsImportModel {
 
   /** The edit that applies the plan as one undo step; empty if there is nothing to apply. */
   Optional<Edit> edit() {
-    // The scene may have been edited since the plan was computed.
+    viewed = null; // The scene may have been edited since the plan was computed.
     work();
     String step = ratings == null ? Texts.of("ratings.step.gaze") : Texts.of("ratings.step", name);
     return plan().filter(p -> applicable()).map(p -> p.edit(step));

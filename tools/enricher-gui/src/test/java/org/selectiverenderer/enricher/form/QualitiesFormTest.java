@@ -51,7 +51,7 @@ class QualitiesFormTest {
       </Scene></X3D>
       """;
 
-  private static final String VALUE = "Value of level 1 of quality 1";
+  private static final String VALUE = "Value of level 2 of quality 1";
 
   @TempDir Path folder;
 
@@ -90,7 +90,7 @@ class QualitiesFormTest {
       assertThat(outline(value)).isNull();
       assertThat(window.text("Switch_Bin"))
           .isEqualTo(text("Switch_Bin").replace("\"0.5\"", "\"0.25\""));
-      assertThat(undo(window)).isEqualTo("Set level 1 of Paint.transparency");
+      assertThat(undo(window)).isEqualTo("Set level 2 of Paint.transparency");
       EventThread.edt(() -> window.session.document().history().undo());
       assertThat(text(value)).isEqualTo("0.5");
     }
@@ -122,7 +122,7 @@ class QualitiesFormTest {
       assertThat(text(target)).isEqualTo("Wallpaper.url");
       EventThread.edt(((AbstractButton) window.named("Add quality"))::doClick);
       assertThat(undo(window)).isEqualTo("Add the quality textures to Switch_Bin");
-      JTextComponent first = (JTextComponent) window.named("Value of level 0 of quality 2");
+      JTextComponent first = (JTextComponent) window.named("Value of level 1 of quality 2");
       assertThat(text(first)).isEqualTo("\"wall.png\"");
       JComboBox<?> quality = (JComboBox<?>) window.named("Quality 2");
       assertThat(EventThread.get(() -> quality.getSelectedItem())).isEqualTo("textures");
@@ -156,7 +156,7 @@ class QualitiesFormTest {
   void theFormFitsItsWindow() throws Exception {
     for (boolean dark : new boolean[] {false, true}) {
       try (FormWindowDriver window = open(dark)) {
-        JComponent schemas = (JComponent) window.named("Schemas of level 1 of quality 1");
+        JComponent schemas = (JComponent) window.named("Schemas of level 2 of quality 1");
         reveal(schemas);
         window.screenshot(dark ? "qualities-dark" : "qualities", dark ? 2 : 1);
         assertThat(EventThread.get(() -> schemas.getVisibleRect().width))

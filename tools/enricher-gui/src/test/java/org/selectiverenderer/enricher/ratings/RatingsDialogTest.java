@@ -2,10 +2,13 @@ package org.selectiverenderer.enricher.ratings;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JTable;
@@ -72,6 +75,70 @@ class RatingsDialogTest {
         .satisfies(values -> assertThat(values.schemas()).containsExactly("KitchenSchema"));
     session.document().history().undo();
     assertThat(session.document().text().toString()).isEqualTo(before);
+  }
+
+  @Test
+  void columnsFitWhatTheySayAndWhatIsCutOffHasATooltip() throws IOException {
+    TestSessions.theme(false);
+    String name = "ARatherLongNameOfAPencilHolderOnTheShelfOfTheLibraryBesideTheDoorOfTheHall";
+    EnricherSession session =
+        TestSessions.with(folder, TestSessions.object("PencilHolder") + TestSessions.object(name));
+    Path table =
+        Files.writeString(
+            folder.resolve("r.csv"),
+            "object,schema,rating\nPencilHolder,OfficeSchema,6\nPencilHolder,DeskSchema,3.4\n");
+    GuiRobot hands = new GuiRobot();
+    RatingsDialog dialog = GuiRobot.onEdt(() -> new RatingsDialog(null, session));
+    hands.show(dialog);
+    open(dialog, table);
+    JTable implied = GuiRobot.named(dialog, "What the ratings imply", JTable.class);
+    hands.await("what follows", () -> implied.getRowCount() == 2);
+    GuiRobot.picture(dialog.getContentPane(), "ratings-columns", 1);
+    hands.await("the columns' widths", () -> cutOff(implied).isEmpty());
+
+    Path other =
+        Files.writeString(
+            folder.resolve("o.csv"), "object,schema,rating\n" + name + ",OfficeSchema,6\n");
+    open(dialog, other);
+    JTable matches = GuiRobot.named(dialog, "Which Switch each object is", JTable.class);
+    hands.await("the other table", () -> name.equals(matches.getValueAt(0, 0)));
+    assertThat(GuiRobot.onEdt(() -> cutOff(matches))).contains(name);
+    assertThat(GuiRobot.onEdt(() -> matches.getToolTipText(over(matches, 0, 0)))).isEqualTo(name);
+    GuiRobot.onEdt(
+        () -> {
+          dialog.dispose();
+          return true;
+        });
+  }
+
+  private static void open(RatingsDialog dialog, Path table) {
+    GuiRobot.onEdt(
+        () -> {
+          dialog.open(table);
+          return true;
+        });
+  }
+
+  private static List<String> cutOff(JTable table) {
+    List<String> found = new ArrayList<>();
+    for (int row = 0; row < table.getRowCount(); row++) {
+      for (int column = 0; column < table.getColumnCount(); column++) {
+        int needed =
+            table.prepareRenderer(table.getCellRenderer(row, column), row, column)
+                .getPreferredSize()
+                .width;
+        if (needed > table.getCellRect(row, column, false).width) {
+          found.add(String.valueOf(table.getValueAt(row, column)));
+        }
+      }
+    }
+    return found;
+  }
+
+  private static MouseEvent over(JTable table, int row, int column) {
+    Rectangle cell = table.getCellRect(row, column, false);
+    return new MouseEvent(
+        table, MouseEvent.MOUSE_MOVED, 0, 0, cell.x + 2, cell.y + 2, 0, false, MouseEvent.NOBUTTON);
   }
 
   @Test

@@ -2,12 +2,18 @@ package org.selectiverenderer.enricher.ratings;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.authoring.enrichment.EnrichmentScenes;
 import org.selectiverenderer.authoring.ratings.RatingScale;
+import org.selectiverenderer.authoring.ratings.ViewedObjects;
 import org.selectiverenderer.enricher.robot.TestSessions;
+import org.selectiverenderer.study.gaze.GazeSimulator;
 
 class RatingsImportModelTest {
   private final EnrichmentScenes scene =
@@ -41,6 +47,35 @@ class RatingsImportModelTest {
     model.scale(RatingScale.LINEAR);
     assertThat(implied.getValueAt(0, 5)).isEqualTo("version 2: consistent, high");
     assertThat(implied.getValueAt(1, 5)).isEqualTo("version 1: inconsistent, low");
+  }
+
+  @Test
+  void ratingsAsAScaleHaveADegreeInPlaceOfABand() {
+    read("Sink,Kitchen,3.5");
+    ImpliedMetadataTableModel implied = new ImpliedMetadataTableModel(model);
+    assertThat(implied.getValueAt(0, 4)).isEqualTo("neutral, 3 to 4");
+    model.scale(RatingScale.LINEAR);
+    assertThat(implied.getValueAt(0, 4)).isEqualTo("degree 0.50");
+  }
+
+  @Test
+  void logsThatWereReadBeforeATableProposeAnew(@TempDir Path folder) throws IOException {
+    ViewedObjects before = model.viewed();
+    Path log = folder.resolve("a.csv");
+    GazeSimulator room =
+        new GazeSimulator("s.x3d", List.of("Kitchen"), GazeSimulator.along(new double[] {0, 1}, 1));
+    GazeSimulator.write(room.log(20, 1), log);
+    RatingsImportModel.Logs logs = RatingsImportModel.read(List.of(log), "s.x3d", before);
+    read("Sink,Kitchen,9");
+    int ofTable = model.problems().size();
+    assertThat(ofTable).isPositive();
+    model.take(logs);
+    assertThat(model.takeGazeStale()).isTrue();
+    assertThat(model.problems()).hasSize(ofTable + logs.problems().size());
+    model.take(logs.read(), model.viewed(), logs.read().of(model.viewed()));
+    assertThat(model.takeGazeStale()).isFalse();
+    model.scale(RatingScale.LINEAR);
+    assertThat(model.takeGazeStale()).isFalse(); // degrees do not depend on it
   }
 
   @Test

@@ -13,12 +13,13 @@ import org.selectiverenderer.browser.nodes.group.GroupingNode;
 import org.selectiverenderer.browser.nodes.group.InlineNode;
 import org.selectiverenderer.browser.scene.EventCascade;
 import org.selectiverenderer.browser.scene.Node;
-import org.selectiverenderer.browser.scene.NodeObserver;
 
 /**
  * The binding stacks of a scene for Viewpoint, NavigationInfo, Background and Fog nodes (X3D 4.0,
  * 7.2.2). Initially the first node of each kind in the file is bound; nodes in Inlines can be bound
- * later. {@link #update} follows nodes that enter or leave the scene.
+ * later. {@link #update} follows nodes that enter or leave the scene, of which {@link
+ * #structureChanged} tells: the instance tree observes every group anyway, of which a scene may have
+ * a hundred thousand.
  */
 public final class BindingStacks {
   /** The kinds of bindable nodes; each has a stack of its own. */
@@ -55,8 +56,6 @@ public final class BindingStacks {
 
   private final Node root;
   private final Map<Kind, BindingStack> stacks = new EnumMap<>(Kind.class);
-  private final NodeObserver observer = this::changed;
-  private Set<GroupingNode> observed = Set.of();
   private Set<BindableNode> present = Set.of();
   private boolean stale = true;
 
@@ -136,31 +135,16 @@ public final class BindingStacks {
     present = walk.found;
     before.stream().filter(node -> !present.contains(node)).forEach(BindableNode::leave);
     stacks.values().forEach(stack -> stack.retain(present, cascade));
-    observe(walk.groups);
+  }
+
+  /** Notes that a group of the scene has other children. */
+  public void structureChanged() {
+    stale = true;
   }
 
   /** Releases the scene: its nodes no longer react to {@code set_bind}. */
   public void close() {
     present.forEach(BindableNode::leave);
-    observe(Set.of());
-  }
-
-  private void observe(Set<GroupingNode> groups) {
-    for (GroupingNode group : observed) {
-      if (!groups.contains(group)) {
-        group.removeObserver(observer);
-      }
-    }
-    for (GroupingNode group : groups) {
-      if (!observed.contains(group)) {
-        group.addObserver(observer);
-      }
-    }
-    observed = groups;
-  }
-
-  private void changed(Node node, int field) {
-    stale |= ((GroupingNode) node).effectOf(field) == GroupingNode.Effect.STRUCTURE;
   }
 
   /** Finds bindable nodes in document order, each once. */

@@ -146,11 +146,13 @@ class BindingStacksTest {
     Node root = nodes.group(first, inner);
     BindingStacks stacks = new BindingStacks(root, nodes.cascade);
     nodes.send(inner, "addChildren", List.of(later));
+    stacks.structureChanged();
     stacks.update(nodes.cascade);
     nodes.send(later, "set_bind", true);
     nodes.sent();
     nodes.send(root, "removeChildren", List.of(inner));
     nodes.cascade.at(9);
+    stacks.structureChanged();
     stacks.update(nodes.cascade);
     assertThat(nodes.sent())
         .containsExactly(
