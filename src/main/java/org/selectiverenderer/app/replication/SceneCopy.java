@@ -60,7 +60,8 @@ record SceneCopy(Path scene, Path folder) {
             left ->
                 problems.warning(
                     SourceLocation.of(left.file()),
-                    "the url %s %s; the study does not have it".formatted(left.url(), left.reason())));
+                    "the url %s %s; the study does not have it"
+                        .formatted(left.url(), left.reason())));
     List<PackagedFile> files = new ArrayList<>(all.files());
     files.add(all.scene());
     PackageWriter.intoFolder(files, folder, share -> {}).keep();
