@@ -45,6 +45,9 @@ public record Replication(Path folder, Path scene, int participants, long seed) 
   /** The page. */
   public static final String PAGE = "index.html";
 
+  /** The folder of the study's scenes. */
+  private static final String SCENES = "scenes";
+
   private static final String RESPONSES = "responses.csv";
 
   /** An answer without confidence counts as "no", which is what the thesis's tables look like. */
@@ -73,7 +76,8 @@ public record Replication(Path folder, Path scene, int participants, long seed) 
       throws IOException {
     requireNew();
     SceneStatistics polygons = ScenePolygonCounter.of(scene, List.of(), problems);
-    Path file = StudyTemplate.write(study().getParent(), scene, participants, seed);
+    Path copy = new SceneCopy(scene, study().resolveSibling(SCENES)).write(problems);
+    Path file = StudyTemplate.write(study().getParent(), copy, participants, seed);
     Optional<LoadedStudy> material = LoadedStudy.read(file, problems);
     if (material.isEmpty()) {
       return Optional.empty();

@@ -11,7 +11,9 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.polygon.ScenePolygonCounter;
 import org.selectiverenderer.statistics.report.Provenance;
+import org.selectiverenderer.study.session.LoadedStudy;
 
 /** The thesis's study is made anew, the same for the same seed, and never over what is there. */
 class ReplicationTest {
@@ -41,7 +43,15 @@ class ReplicationTest {
     assertThat(made.resolve("study/participants.tsv")).content().hasLineCount(10).contains("true");
     assertThat(made.resolve("study/study.json"))
         .content()
-        .contains("\"participants\": 9,", "\"seed\": 4,");
+        .contains(
+            "\"participants\": 9,",
+            "\"seed\": 4,",
+            "\"scene\": \"scenes/apartment.x3d\"",
+            "\"scene\": \"scenes/practice.x3d\"")
+        .doesNotContain("../");
+    assertThat(made.resolve("study/pilot/threshold.json"))
+        .content()
+        .contains("\"scene\": \"../scenes/apartment.x3d\"");
     assertThat(made.resolve("study/sub-009/ses-01/events.jsonl"))
         .content()
         .contains("\"flag\":\"simulated\"", "\"shown\":false", "session-finished");
@@ -57,6 +67,17 @@ class ReplicationTest {
     for (String name : List.of("report.html", "plan.html", "answers.csv", "scores.csv")) {
       assertThat(made.resolve(name)).isNotEmptyFile();
     }
+
+    // All of it moves to another place, with its scene.
+    Path elsewhere = Files.createDirectories(folder.resolve("another/machine")).resolve("study");
+    Files.move(made.resolve("study"), elsewhere);
+    ProblemCollector problems = new ProblemCollector();
+    assertThat(LoadedStudy.read(elsewhere.resolve("study.json"), problems)).isPresent();
+    assertThat(
+            ScenePolygonCounter.of(elsewhere.resolve("scenes/apartment.x3d"), List.of(), problems)
+                .totalHigh())
+        .isEqualTo(ScenePolygonCounter.of(APARTMENT, List.of(), problems).totalHigh());
+    assertThat(problems.list()).isEmpty();
 
     made("again");
 
