@@ -170,12 +170,11 @@ final class SceneBuilder {
               || type.component().equals("Geospatial")
               || BackgroundTextures.names(type)
               || content.images().containsKey(parsed);
-      if (type.name().equals("Shape")) {
-        DeferredParts.OfShape parts = deferred.new OfShape(parsed, this);
-        return new Recipe(new NodeTemplate(parsed.location(), mesh, parts), attached, parts);
-      }
+      boolean shape = type.name().equals("Shape");
       return new Recipe(
-          mesh == null ? null : new NodeTemplate(parsed.location(), mesh), attached, null);
+          mesh != null || shape ? new NodeTemplate(parsed.location(), mesh) : null,
+          attached,
+          shape ? deferred.new OfShape(parsed, this) : null);
     }
 
     @Override
@@ -321,7 +320,7 @@ final class SceneBuilder {
     /** Returns whether the nodes in a node are made later, and then counts them now. */
     private boolean deferred(ParsedNode parsed) {
       Recipe before = head.recipes.get(parsed);
-      if (before == null || before.parts() == null) {
+      if (before == null || before.parts() == null || before.template() == null) {
         return false;
       }
       int count = before.parts().count(head);
@@ -329,6 +328,7 @@ final class SceneBuilder {
         return false; // What is left out is told of each node.
       }
       nodes += count;
+      before.template().parts(before.parts());
       return true;
     }
 

@@ -39,9 +39,8 @@ final class MetadataTreeWatcher implements NodeObserver, Registration {
     }
   }
 
-  /** Begins to observe; empty if a node is a prototype instance, whose fields are those of others. */
-  static Optional<Registration> of(
-      EventCascade cascade, NodeProxy owner, DoubleConsumer listener) {
+  /** Begins to observe; empty if a node is a prototype instance, with fields of other nodes. */
+  static Optional<Registration> of(EventCascade cascade, NodeProxy owner, DoubleConsumer listener) {
     List<Node> found = new ArrayList<>();
     found.add(owner.node());
     int inner = 1;

@@ -32,8 +32,7 @@ final class ProxyMaker {
       if (known != null) {
         return known.newInstance(handler);
       }
-      Object first =
-          Proxy.newProxyInstance(SaiObject.class.getClassLoader(), interfaces, handler);
+      Object first = Proxy.newProxyInstance(SaiObject.class.getClassLoader(), interfaces, handler);
       constructor = first.getClass().getConstructor(InvocationHandler.class);
       return first;
     } catch (NoSuchMethodException

@@ -21,7 +21,7 @@ public final class NodeTemplate {
 
   private final SourceLocation location;
   private final @Nullable Optional<Mesh> mesh;
-  private final @Nullable PartMaker parts;
+  private volatile @Nullable PartMaker parts;
 
   /**
    * Makes the template of a node of a file.
@@ -29,21 +29,16 @@ public final class NodeTemplate {
    * @param mesh the mesh of a geometry node, empty if it cannot be drawn; null for other nodes
    */
   public NodeTemplate(SourceLocation location, @Nullable Optional<Mesh> mesh) {
-    this(location, mesh, null);
+    this.location = location;
+    this.mesh = mesh;
   }
 
   /**
-   * Makes the template of a node of a file, in whose copies the nodes are made when they are asked
-   * for.
-   *
-   * @param mesh the mesh of a geometry node, empty if it cannot be drawn; null for other nodes
-   * @param parts makes the nodes in a copy; null if they are made with it
+   * Sets what makes the nodes in copies that have only those of the file. Not before there is such a
+   * copy, as the maker keeps the nodes of the file.
    */
-  public NodeTemplate(
-      SourceLocation location, @Nullable Optional<Mesh> mesh, @Nullable PartMaker parts) {
-    this.location = location;
-    this.mesh = mesh;
-    this.parts = parts;
+  public void parts(PartMaker maker) {
+    parts = maker;
   }
 
   SourceLocation location() {
@@ -52,10 +47,11 @@ public final class NodeTemplate {
 
   /** Returns a new node in a copy. */
   Node make(ParsedNode part) {
-    if (parts == null) {
-      throw new IllegalStateException("the nodes in " + part + " are made with it");
+    PartMaker maker = parts;
+    if (maker == null) {
+      throw new IllegalStateException("nothing makes " + part);
     }
-    return parts.make(part);
+    return maker.make(part);
   }
 
   /** Returns the mesh of a geometry node, empty if it cannot be drawn; null for other nodes. */

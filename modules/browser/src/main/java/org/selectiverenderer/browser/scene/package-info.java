@@ -7,8 +7,8 @@
  * Shape of the second and further scenes are made by the template when somebody asks for them.
  *
  * <p>In: events. Out: field values, and calls to observers and listeners. Uses {@code
- * x3d.catalogue}, {@code x3d.read}, {@code geometry.mesh} and {@code base.problem}. All of it belongs to one thread,
- * the one that steps the world.
+ * x3d.catalogue}, {@code x3d.read}, {@code geometry.mesh} and {@code base.problem}. All of it
+ * belongs to one thread, the one that steps the world.
  */
 @NullMarked
 package org.selectiverenderer.browser.scene;

@@ -198,8 +198,7 @@ class DeferredPartsTest extends RunningSceneLoaderTestCase {
               start.await();
               return shape.node("geometry");
             };
-        List<Future<Node>> read =
-            readers.invokeAll(List.of(reading, reading, reading, reading));
+        List<Future<Node>> read = readers.invokeAll(List.of(reading, reading, reading, reading));
         for (Future<Node> one : read) {
           assertThat(one.get()).isNotNull().isSameAs(shape.node("geometry"));
         }

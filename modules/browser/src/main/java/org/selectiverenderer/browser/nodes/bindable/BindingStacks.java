@@ -18,8 +18,8 @@ import org.selectiverenderer.browser.scene.Node;
  * The binding stacks of a scene for Viewpoint, NavigationInfo, Background and Fog nodes (X3D 4.0,
  * 7.2.2). Initially the first node of each kind in the file is bound; nodes in Inlines can be bound
  * later. {@link #update} follows nodes that enter or leave the scene, of which {@link
- * #structureChanged} tells: the instance tree observes every group anyway, of which a scene may have
- * a hundred thousand.
+ * #structureChanged} tells: the instance tree observes every group anyway, of which a scene may
+ * have a hundred thousand.
  */
 public final class BindingStacks {
   /** The kinds of bindable nodes; each has a stack of its own. */
