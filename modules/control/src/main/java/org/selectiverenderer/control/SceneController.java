@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -20,6 +21,7 @@ import org.selectiverenderer.control.SelectiveController.Settings;
 import org.selectiverenderer.sai.InlineSceneAccess;
 import org.selectiverenderer.sai.NodeNameAccess;
 import org.selectiverenderer.schema.Quality;
+import org.selectiverenderer.schema.SwitchSchemas;
 import org.web3d.x3d.sai.X3DExecutionContext;
 import org.web3d.x3d.sai.X3DNode;
 import org.web3d.x3d.sai.environmentalsensor.ProximitySensor;
@@ -187,6 +189,16 @@ final class SceneController implements ControlledArea.Listener {
   /** Returns the objects whose versions may be chosen; the same list until others may be. */
   List<ChoosableObject> choosable() {
     return choices.choosable();
+  }
+
+  /** Returns the qualities in which versions and fields of the scene's objects differ. */
+  Set<Quality> qualities() {
+    Set<Quality> found = EnumSet.noneOf(Quality.class);
+    choicesOf(objects.values()).stream()
+        .flatMap(choice -> choice.schemas().stream())
+        .map(SwitchSchemas::quality)
+        .forEach(found::add);
+    return found;
   }
 
   long consistencyVersion() {

@@ -6,6 +6,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.control.budget.RenderingBudget;
 import org.selectiverenderer.sai.InlineSceneAccess;
@@ -211,6 +213,28 @@ public final class SelectiveController implements AutoCloseable {
    */
   public synchronized Set<String> hold(Map<String, Integer> choices) {
     return scene == null ? Set.copyOf(choices.keySet()) : scene.hold(choices);
+  }
+
+  /**
+   * Returns a remark about rules of qualities that no object of the scene has, which change nothing
+   * so far; empty where each is some object's.
+   */
+  public synchronized Optional<String> idleRules() {
+    Set<Quality> found = scene == null ? Set.of() : scene.qualities();
+    String idle = spelled(settings.qualities().keySet().stream().filter(q -> !found.contains(q)));
+    return idle.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            "no object of the scene has levels of %s, so --quality changes nothing there; %s"
+                .formatted(
+                    idle,
+                    found.isEmpty()
+                        ? "no object is enriched"
+                        : "the scene has " + spelled(found.stream())));
+  }
+
+  private static String spelled(Stream<Quality> qualities) {
+    return qualities.sorted().map(Quality::spelling).collect(Collectors.joining(", "));
   }
 
   /**

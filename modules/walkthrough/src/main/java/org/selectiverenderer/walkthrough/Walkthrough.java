@@ -77,6 +77,8 @@ public final class Walkthrough implements AutoCloseable {
             .map(limit -> new VersionBudget(world, controller, browser::nodeOf, limit));
     qualities = new QualityTally(controller);
     world.instances().update();
+    SourceLocation file = world.scene().root().location();
+    controller.idleRules().ifPresent(remark -> problems.warning(file, remark));
   }
 
   /** Opens a scene that may load only files in its own folder. */
