@@ -57,6 +57,7 @@ public final class SaiRunner implements AutoCloseable {
 
   private volatile double begun = System.currentTimeMillis() / 1000.0;
   private volatile boolean shown;
+  private volatile @Nullable SelectiveController controller;
   private final CountDownLatch started = new CountDownLatch(1);
   private final X3DComponent component;
   private final TimelineText text = new TimelineText();
@@ -91,12 +92,13 @@ public final class SaiRunner implements AutoCloseable {
     try {
       ExternalBrowser browser = runner.browser();
       out.accept("browser: " + browser.getName() + " " + browser.getVersion());
-      new SelectiveController(
-          browser,
-          settings,
-          runner::tell,
-          problem ->
-              out.accept(problem.severity().name().toLowerCase(Locale.ROOT) + ": " + problem));
+      runner.controller =
+          new SelectiveController(
+              browser,
+              settings,
+              runner::tell,
+              problem ->
+                  out.accept(problem.severity().name().toLowerCase(Locale.ROOT) + ": " + problem));
       X3DScene scene = read(browser, url);
       runner.shown = true; // Events before this line belong to the browser's empty initial scene.
       browser.replaceWorld(scene);
@@ -206,6 +208,10 @@ public final class SaiRunner implements AutoCloseable {
       started.countDown();
     }
     out.accept(text.line(told));
+    SelectiveController known = controller;
+    if (shown && known != null && event instanceof ControlEvent.Start) {
+      known.idleRules().ifPresent(remark -> out.accept("warning: " + remark));
+    }
     if (shown) {
       timeline.accept(told);
     }

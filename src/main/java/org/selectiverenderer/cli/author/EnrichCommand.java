@@ -58,6 +58,9 @@ public final class EnrichCommand extends CliCommand {
 
   private final Window window;
 
+  /** The participants whose logs were used. */
+  private int participants;
+
   @Parameters(
       paramLabel = "SCENE",
       arity = "0..1",
@@ -164,6 +167,8 @@ public final class EnrichCommand extends CliCommand {
     MissingFilesWarning.tell(enriched.get().leftBehind(target), target, console());
     if (dryRun.asked()) {
       console().out().print(enriched.get().difference(target));
+    } else if (output == null && metadata == null && unclear(enriched.get())) {
+      console().message(target + ": no proposal is clear enough; nothing is written");
     } else if (enriched.get().changed() || output != null) {
       enriched.get().save(target);
       console().message(target + ": enriched");
@@ -176,21 +181,26 @@ public final class EnrichCommand extends CliCommand {
   private List<GazeProposal> proposals(ViewedObjects objects, ProblemCollector problems)
       throws IOException {
     String name = scene == null ? "" : String.valueOf(scene.getFileName());
-    return GazeProposals.read(logs, name, problems).of(objects);
+    GazeProposals read = GazeProposals.read(logs, name, problems);
+    participants = read.participants();
+    return read.of(objects);
+  }
+
+  private boolean unclear(HeadlessEnrichment enriched) {
+    return !logs.isEmpty() && enriched.proposals().stream().noneMatch(GazeProposal::applicable);
   }
 
   private void tell(List<GazeProposal> proposals) {
     if (proposals.isEmpty()) {
-      console().message("in no log was an object of the scene in view for a second");
+      console()
+          .message(
+              participants == 0
+                  ? "no log is used, so nothing is proposed"
+                  : "in no log was an object of the scene in view for a second");
       return;
     }
-    // With --dry-run the difference alone is the output, for patch.
-    String table = GazeProposalTable.text(proposals);
-    if (dryRun.asked()) {
-      table.lines().forEach(console()::message);
-    } else {
-      console().out().print(table);
-    }
+    // With --dry-run the difference follows; patch passes over the table before it.
+    console().out().print(GazeProposalTable.text(proposals));
     long clear = proposals.stream().filter(GazeProposal::applicable).count();
     console()
         .message(

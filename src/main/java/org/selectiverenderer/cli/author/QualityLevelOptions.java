@@ -16,7 +16,7 @@ final class QualityLevelOptions {
       paramLabel = "P",
       description =
           "smaller pictures of the object's textures, in percent of each side, one per level; "
-              + "written beside the pictures: wood_25.png")
+              + "written beside the pictures: wood_25.png; --schemas says where each is shown")
   private List<Double> percents = List.of();
 
   @Option(
@@ -64,8 +64,13 @@ final class QualityLevelOptions {
   private void requireOneSchemaEach(String option, int levels) {
     if (levels > 0 && !schemas.isEmpty() && schemas.size() != levels + 1) {
       throw CommandException.usage(
-          "--schemas: %s makes %d levels with the object as it is; name as many schemas"
-              .formatted(option, levels + 1));
+          "--schemas: %s makes %d levels with the object as it is; name as many schemas%s"
+              .formatted(
+                  option,
+                  levels + 1,
+                  percents.size() == shading.size() || percents.isEmpty() || shading.isEmpty()
+                      ? ""
+                      : "; make --texture-percent and --shading in two runs, each with its own"));
     }
   }
 }

@@ -9,6 +9,8 @@ import java.util.stream.Collectors;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.UndoableFileWrite;
 import org.selectiverenderer.authoring.UndoableFileWrites;
+import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
+import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.authoring.file.DocumentFile;
 import org.selectiverenderer.authoring.qualities.QualityVersionsEdit;
 import org.selectiverenderer.authoring.versions.ChangePreview;
@@ -48,6 +50,12 @@ record QualityLevelWriter(Console console, boolean dry, Path scene, Path output)
       return ExitStatus.PROBLEMS;
     }
     QualityVersionsEdit.Plan plan = planned.get();
+    if (request.schemas().isEmpty() && !hasSchemas(file, plan.object(), catalogue)) {
+      console.message(
+          ("%s: nothing chooses the levels of %s yet, since no version of it names a schema; name"
+                  + " one for each level by --schemas, the best level's first")
+              .formatted(output, plan.object()));
+    }
     plan.qualities().forEach(quality -> print(plan.object(), quality));
     plan.files().forEach(this::print);
     if (dry) {
@@ -72,6 +80,14 @@ record QualityLevelWriter(Console console, boolean dry, Path scene, Path output)
     }
     console.line((changes ? "changed  " : "unchanged  ") + output);
     return ExitStatus.of(problems);
+  }
+
+  /** Returns whether versions of a Switch name schemas, which its levels follow. */
+  private static boolean hasSchemas(DocumentFile file, String name, NodeCatalogue catalogue) {
+    EnrichedSwitch node =
+        new DocumentEnrichment(file.document(), catalogue).switchesByName().get(name);
+    return node != null
+        && node.values().stream().anyMatch(choice -> !choice.schemas().isEmpty());
   }
 
   private static Path folder(Path file) {

@@ -244,13 +244,13 @@ class EnrichCommandTest {
   }
 
   @Test
-  void aDryRunOfLogsPrintsTheDifferenceAlone() throws IOException {
+  void aDryRunOfLogsPrintsTheTableAndTheDifference() throws IOException {
     Path scene = roomWithLogs(6);
     String before = Files.readString(scene);
     String logs = folder.resolve("study").toString();
     assertThat(run("enrich", scene.toString(), "--from-logs", logs, "--dry-run")).as(err).isZero();
-    assertThat(out).startsWith("--- ").doesNotContain("undecided");
-    assertThat(err).contains("Switch_Object1");
+    assertThat(out).startsWith("object ").contains("undecided", "\n--- ", "\n+++ ");
+    assertThat(err).doesNotContain("Switch_Object1");
     assertThat(scene).hasContent(before);
   }
 
@@ -273,8 +273,23 @@ class EnrichCommandTest {
     String before = Files.readString(scene);
     assertThat(run("enrich", scene.toString(), "--from-logs", folder.resolve("study").toString()))
         .isZero();
-    assertThat(err).contains("one participant only").contains("0 of 16 proposals");
+    assertThat(err)
+        .contains("one participant only", "name the logs of others too", "0 of 16 proposals")
+        .contains("no proposal is clear enough; nothing is written")
+        .doesNotContain("has all of this metadata");
     assertThat(scene).hasContent(before);
+  }
+
+  @Test
+  void whereAllLogsAreOfAnotherSceneNothingIsSaidOfWhatWasInView() throws IOException {
+    Path room = roomWithLogs(2);
+    Path other = Files.copy(room, folder.resolve("other.x3d"));
+    assertThat(run("enrich", other.toString(), "--from-logs", folder.resolve("study").toString()))
+        .isZero();
+    assertThat(err)
+        .contains("left out: logs of other scenes (room.x3d)", "no log is used")
+        .doesNotContain("in view for a second", "has all of this metadata");
+    assertThat(out).isEmpty();
   }
 
   @Test

@@ -43,7 +43,9 @@ class PolygonsCommandTest extends CommandTestCase {
 
     assertThat(execute("polygons", scene.toString())).isEqualTo(1);
     assertThat(text(err)).contains("scene.x3d:1:", "no.x3d' is missing").doesNotContain("\tat ");
-    assertThat(text(out)).contains("0 polygons");
+    assertThat(text(out))
+        .contains("0 polygons; no object is enriched")
+        .doesNotContain("all objects high");
   }
 
   @Test

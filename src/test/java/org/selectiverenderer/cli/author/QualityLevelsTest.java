@@ -114,6 +114,7 @@ class QualityLevelsTest {
   void theFirstUrlOfALevelIsTheSmallerPicture() throws IOException {
     write(SOFA);
     versions("--object", "Sofa", "--texture-percent", "50");
+    assertThat(err).contains("nothing chooses the levels of Switch_Sofa yet", "--schemas");
     assertThat(Files.readString(scene))
         .contains(
             "name='value' value='\"wood.png\" \"https://example.org/wood.png\"'",
@@ -270,6 +271,29 @@ class QualityLevelsTest {
   }
 
   @Test
+  void aRuleOfAQualityThatTheSceneLacksIsSaidToChangeNothing() throws IOException {
+    write(SOFA);
+    Path walk = Files.writeString(folder.resolve("walk.csv"), "t,x,y,z\n0,0,0,0\n1,0,0,0\n");
+    String[] simulate = {
+      "simulate", scene.toString(), "--path", walk.toString(), "--quality", "textures=low,light=low"
+    };
+    assertThat(run(simulate)).isOne();
+    assertThat(err)
+        .contains(
+            "no object of the scene has levels of textures, light, so --quality changes nothing"
+                + " there; no object is enriched");
+
+    versions("--object", "Sofa", "--texture-percent", "50", "--schemas", "Hall,Room");
+    assertThat(run(simulate)).isOne();
+    assertThat(err)
+        .contains("levels of light, so --quality changes nothing there; the scene has textures")
+        .containsOnlyOnce("changes nothing");
+    simulate[simulate.length - 1] = "textures=low";
+    run(simulate);
+    assertThat(err).doesNotContain("changes nothing");
+  }
+
+  @Test
   void optionsThatMakeNoSenseAreRefused() throws IOException {
     write(SOFA);
     versions("--object", "Sofa");
@@ -281,7 +305,12 @@ class QualityLevelsTest {
     versions("--object", "Sofa", "--shading", "round");
     assertThat(err).contains("'round' is unknown");
     versions("--object", "Sofa", "--shading", "flat", "--schemas", "A");
-    assertThat(err).contains("--shading makes 2 levels with the object as it is");
+    assertThat(err)
+        .contains("--shading makes 2 levels with the object as it is")
+        .doesNotContain("in two runs");
+    versions(
+        "--object", "Sofa", "--texture-percent", "50,25", "--shading", "flat", "--schemas", "A,B,C");
+    assertThat(err).contains("make --texture-percent and --shading in two runs");
     versions("--object", "Sofa", "--shading", "flat", "--vert-percent", "20");
     assertThat(err).contains("are a run of their own");
     versions("--all", "--shading", "flat");

@@ -287,7 +287,7 @@ public final class World {
    * deferred to the beginning of the next step. Tasks run in the order of their calls. Thread-safe.
    */
   public void execute(Runnable task) {
-    tasks.execute(task, SourceLocation.of(shown.scene.url()));
+    tasks.execute(task, () -> SourceLocation.of(shown.scene.url()));
   }
 
   /**

@@ -3,6 +3,7 @@ package org.selectiverenderer.browser;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Supplier;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.browser.scene.SafeListenerInvoker;
@@ -51,15 +52,15 @@ final class WorldTaskQueue {
   /**
    * Runs a task, or defers it to the next step if the lock cannot be had within a second.
    *
-   * @param place the location of the scene, for messages
+   * @param place returns the location of the scene, for messages
    * @see World#execute
    */
-  void execute(Runnable task, SourceLocation place) {
+  void execute(Runnable task, Supplier<SourceLocation> place) {
     if (lock.isHeldByCurrentThread()) {
       task.run();
     } else if (lockWithinASecond()) {
       try {
-        runDeferred(place);
+        runDeferred(place.get());
         task.run();
       } finally {
         lock.unlock();

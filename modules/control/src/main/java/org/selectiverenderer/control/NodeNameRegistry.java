@@ -59,13 +59,22 @@ final class NodeNameRegistry {
   }
 
   private Map<X3DNode, String> defs() {
-    Set<SceneScope> scopes = new LinkedHashSet<>();
-    unnamed.values().forEach(known -> scopes.add(known.scope()));
+    Map<SceneScope, Set<X3DNode>> scopes = new LinkedHashMap<>();
+    unnamed.forEach(
+        (node, known) ->
+            scopes.computeIfAbsent(known.scope(), any -> new LinkedHashSet<>()).add(node));
     Map<X3DNode, String> defs = new HashMap<>();
-    for (SceneScope scope : scopes) {
-      scope.namesOf(unnamed.keySet()).forEach((node, name) -> defs.put(node, name.strip()));
+    scopes.forEach((scope, nodes) -> look(scope, nodes, defs));
+    Set<X3DNode> rest = new LinkedHashSet<>(unnamed.keySet());
+    rest.removeAll(defs.keySet());
+    if (!rest.isEmpty()) { // Applications may put nodes of one scene into another.
+      scopes.keySet().forEach(scope -> look(scope, rest, defs));
     }
     return defs;
+  }
+
+  private static void look(SceneScope scope, Set<X3DNode> nodes, Map<X3DNode, String> defs) {
+    scope.namesOf(nodes).forEach((node, name) -> defs.put(node, name.strip()));
   }
 
   void remove(X3DNode node) {

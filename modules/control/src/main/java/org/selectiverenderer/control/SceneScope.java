@@ -4,9 +4,13 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.function.DoubleConsumer;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.sai.InlineSceneAccess;
+import org.selectiverenderer.sai.MetadataChangeAccess;
 import org.selectiverenderer.sai.NodeNameAccess;
 import org.web3d.x3d.sai.X3DExecutionContext;
 import org.web3d.x3d.sai.X3DNode;
@@ -91,6 +95,13 @@ final class SceneScope {
       }
     }
     return names;
+  }
+
+  /** Listens for changes of a node's metadata as a whole; empty where the browser cannot. */
+  Optional<InlineSceneAccess.Registration> watchMetadata(X3DNode owner, DoubleConsumer listener) {
+    return namesAccess instanceof MetadataChangeAccess metadata
+        ? metadata.watchMetadata(owner, listener)
+        : Optional.empty();
   }
 
   /** Returns the node of a DEF name. */

@@ -6,6 +6,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.control.budget.RenderingBudget;
 import org.selectiverenderer.sai.InlineSceneAccess;
@@ -131,6 +133,7 @@ public final class SelectiveController implements AutoCloseable {
   private final Consumer<ControlProblem> problems;
   private final BrowserListener onBrowser = this::browserChanged;
   private @Nullable SceneController scene;
+  private long levelsBefore;
 
   /**
    * Takes control of the scene that the browser shows, and of every scene that it will show.
@@ -191,6 +194,16 @@ public final class SelectiveController implements AutoCloseable {
     return scene == null ? Map.of() : scene.choices();
   }
 
+  /** Returns the number of fields that have each level, by quality; level -1 is none. */
+  public synchronized Map<Quality, Map<Integer, Integer>> levels() {
+    return scene == null ? Map.of() : scene.levelCounts();
+  }
+
+  /** Returns a number that changes when {@link #levels} may have. */
+  public synchronized long levelsVersion() {
+    return levelsBefore + (scene == null ? 0 : scene.levelsVersion());
+  }
+
   /**
    * Sets the choices of Switches, which from now on nothing else that the controller does changes.
    * A Switch needs no metadata for that; one that comes later is set when it comes.
@@ -200,6 +213,28 @@ public final class SelectiveController implements AutoCloseable {
    */
   public synchronized Set<String> hold(Map<String, Integer> choices) {
     return scene == null ? Set.copyOf(choices.keySet()) : scene.hold(choices);
+  }
+
+  /**
+   * Returns a remark about rules of qualities that no object of the scene has, which change nothing
+   * so far; empty where each is some object's.
+   */
+  public synchronized Optional<String> idleRules() {
+    Set<Quality> found = scene == null ? Set.of() : scene.qualities();
+    String idle = spelled(settings.qualities().keySet().stream().filter(q -> !found.contains(q)));
+    return idle.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            "no object of the scene has levels of %s, so --quality changes nothing there; %s"
+                .formatted(
+                    idle,
+                    found.isEmpty()
+                        ? "no object is enriched"
+                        : "the scene has " + spelled(found.stream())));
+  }
+
+  private static String spelled(Stream<Quality> qualities) {
+    return qualities.sorted().map(Quality::spelling).collect(Collectors.joining(", "));
   }
 
   /**
@@ -303,6 +338,7 @@ public final class SelectiveController implements AutoCloseable {
 
   private void detach() {
     if (scene != null) {
+      levelsBefore += scene.levelsVersion() + 1;
       scene.close();
       scene = null;
     }

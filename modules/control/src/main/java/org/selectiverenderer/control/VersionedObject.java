@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import java.util.function.ObjDoubleConsumer;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.schema.FieldQuality;
 import org.selectiverenderer.schema.SchemaProblem;
 import org.selectiverenderer.schema.SchemaReader;
@@ -37,6 +38,10 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
   private final ListenerLock turn;
   private final ControlledField.LevelListener onForeignLevel;
   private final Supplier<String> name;
+
+  /** The name once it was asked for, since it is permanent. */
+  private @Nullable String known;
+
   private final X3DField children;
   private final X3DFieldEventListener onChildren;
   private final X3DField whichChoice;
@@ -84,7 +89,7 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
     this.shown = atStart;
     this.children = node.getField("children");
     this.onChildren = event -> turn.take(() -> onChange.accept(this, event.getTime()));
-    this.watch = new MetadataWatcher(node, turn, time -> onChange.accept(this, time));
+    this.watch = new MetadataWatcher(node, scope, turn, time -> onChange.accept(this, time));
     this.whichChoice = node.getField("whichChoice");
     this.onChoice = event -> turn.take(() -> choiceChanged(event.getTime(), onForeignChoice));
     children.addX3DEventListener(onChildren);
@@ -175,7 +180,12 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
   }
 
   String name() {
-    return name.get();
+    String now = known;
+    if (now == null) {
+      now = name.get();
+      known = now;
+    }
+    return now;
   }
 
   /**
@@ -254,7 +264,7 @@ final class VersionedObject implements ChoosableObject, ControlledChoice {
 
   @Override
   public int versions() {
-    return schemas.map(all -> all.choices().size()).orElse(0);
+    return schemas.isPresent() ? schemas.get().choices().size() : 0;
   }
 
   @Override

@@ -19,14 +19,17 @@ public final class SceneStatisticsTextWriter {
     text.append(ControlCharacterEscaper.line(statistics.scene()))
         .append(": ")
         .append(DecimalFormatter.grouped(statistics.totalHigh()))
-        .append(" polygons with all objects high\n");
+        .append(
+            statistics.objects().isEmpty()
+                ? " polygons; no object is enriched\n"
+                : " polygons with all objects high\n");
     for (ScopeCount scope : statistics.scopes()) {
       text.append('\n').append(ControlCharacterEscaper.line(scope.scope())).append("\n\n");
       List<ObjectCount> objects = statistics.objectsOf(scope);
       if (!objects.isEmpty()) {
         table(text, objects(objects)).append('\n');
       }
-      table(text, states(scope));
+      table(text, states(scope, !statistics.objects().isEmpty()));
     }
     List<ObjectCount> outside =
         statistics.objects().stream().filter(object -> object.scope().isEmpty()).toList();
@@ -61,14 +64,16 @@ public final class SceneStatisticsTextWriter {
     return rows;
   }
 
-  private static List<List<String>> states(ScopeCount scope) {
+  private static List<List<String>> states(ScopeCount scope, boolean enriched) {
     List<List<String>> rows = new ArrayList<>();
     rows.add(List.of("activated", "polygons", ""));
-    rows.add(
-        List.of(
-            "all objects high",
-            DecimalFormatter.grouped(scope.high()),
-            percent(100, scope.high())));
+    if (enriched) {
+      rows.add(
+          List.of(
+              "all objects high",
+              DecimalFormatter.grouped(scope.high()),
+              percent(100, scope.high())));
+    }
     for (StateCount state : scope.states()) {
       rows.add(
           List.of(

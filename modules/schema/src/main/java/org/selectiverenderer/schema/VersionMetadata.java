@@ -32,8 +32,9 @@ public record VersionMetadata(
    * of theirs (thesis 4.2.1). A version without metadata is the original, with all polygons.
    */
   public double consistency() {
-    return degree
-        .map(ConsistencyDegree::value)
-        .orElse(type.filter(ConsistencyType.CONSISTENT::equals).isPresent() ? 1.0 : 0.0);
+    if (degree.isPresent()) {
+      return degree.get().value();
+    }
+    return type.isPresent() && type.get() == ConsistencyType.CONSISTENT ? 1.0 : 0.0;
   }
 }

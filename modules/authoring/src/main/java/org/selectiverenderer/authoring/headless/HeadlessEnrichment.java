@@ -15,6 +15,7 @@ import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
+import org.selectiverenderer.authoring.enrichment.EnrichmentEdits;
 import org.selectiverenderer.authoring.enrichment.MetadataTable;
 import org.selectiverenderer.authoring.file.BrokenRelativeUrls;
 import org.selectiverenderer.authoring.file.DocumentFile;
@@ -167,10 +168,21 @@ public final class HeadlessEnrichment {
     Set<String> names = accepted.means().keySet();
     ObjectNameMatcher switches = new ObjectNameMatcher(names, enrichment.switches());
     names.forEach(name -> switches.choose(name, name));
-    return names.isEmpty()
-        || perform(
-            RatingPlan.of(enrichment, accepted, switches, false, scale)
-                .edit("Consistency from gaze"));
+    if (names.isEmpty()) {
+      return true;
+    }
+    RatingPlan plan =
+        RatingPlan.of(enrichment, accepted, objects.places(proposals), switches, false, scale);
+    plan.sensors().stream().filter(area -> area.schemas().exit().isEmpty()).forEach(this::noExit);
+    return perform(plan.edit("Consistency from gaze"));
+  }
+
+  private void noExit(EnrichmentEdits.SensorMetadata area) {
+    problems.info(
+        SourceLocation.of(file.document().name()),
+        ("%s gets no exit schema, since none of its objects was seen or rated in a room around it;"
+                + " objects do not change back when the viewer leaves")
+            .formatted(area.node().name()));
   }
 
   /** Returns the proposals from head logs, those that were not clear enough to write included. */

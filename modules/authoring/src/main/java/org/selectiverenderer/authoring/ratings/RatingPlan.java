@@ -88,7 +88,24 @@ public final class RatingPlan {
       ObjectNameMatcher matching,
       boolean unratedFollow,
       RatingScale scale) {
-    RoomPartSchemaResolver places = new RoomPartSchemaResolver(enrichment.sensors(), ratings);
+    return of(enrichment, ratings, ratings, matching, unratedFollow, scale);
+  }
+
+  /**
+   * Computes the metadata that ratings imply.
+   *
+   * @param known ratings that are not written themselves, but tell which rooms the objects of an
+   *     area belong to
+   */
+  public static RatingPlan of(
+      DocumentEnrichment enrichment,
+      Ratings ratings,
+      Ratings known,
+      ObjectNameMatcher matching,
+      boolean unratedFollow,
+      RatingScale scale) {
+    RoomPartSchemaResolver places =
+        new RoomPartSchemaResolver(enrichment.sensors(), ratings, known);
     Map<String, EnrichedSwitch> switches = enrichment.switchesByName();
     Map<String, Row> rows = new LinkedHashMap<>();
     List<Match> unused = new ArrayList<>();

@@ -26,12 +26,19 @@ final class RoomPartSchemaResolver {
 
   private final Set<String> parts = new LinkedHashSet<>();
   private final Map<EnrichedSensor, String> newPlaces = new LinkedHashMap<>();
-  private final Ratings ratings;
+  private final Ratings known;
 
-  RoomPartSchemaResolver(List<EnrichedSensor> sensors, Ratings ratings) {
-    this.ratings = ratings;
+  /**
+   * @param ratings whose schemas sensors get
+   * @param known all that is known of which objects belong to which schemas, more than is to be
+   *     written: the rooms of objects that count in parts only
+   */
+  RoomPartSchemaResolver(List<EnrichedSensor> sensors, Ratings ratings, Ratings known) {
+    this.known = known;
     Set<String> schemas = new LinkedHashSet<>();
     ratings.means().values().forEach(bySchema -> schemas.addAll(bySchema.keySet()));
+    Set<String> others = new LinkedHashSet<>();
+    known.means().values().forEach(bySchema -> others.addAll(bySchema.keySet()));
     for (EnrichedSensor sensor : sensors) {
       parts.addAll(sensor.schemas().enter());
       if (!sensor.enriched()) {
@@ -44,6 +51,9 @@ final class RoomPartSchemaResolver {
                   parts.add(schema);
                   newPlaces.put(sensor, schema);
                 });
+        others.stream()
+            .filter(schema -> !place.isEmpty() && place.equals(placeOfSchema(schema)))
+            .forEach(parts::add);
       }
     }
   }
@@ -77,7 +87,7 @@ final class RoomPartSchemaResolver {
     newPlaces.forEach(
         (sensor, schema) -> {
           Set<String> rooms = new LinkedHashSet<>();
-          for (Map<String, Mean> means : ratings.means().values()) {
+          for (Map<String, Mean> means : known.means().values()) {
             if (means.containsKey(schema)) {
               means.keySet().stream().filter(other -> !isPart(other)).forEach(rooms::add);
             }

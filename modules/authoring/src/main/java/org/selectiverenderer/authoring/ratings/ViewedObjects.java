@@ -112,10 +112,22 @@ public final class ViewedObjects {
    * @param scale how ratings choose among versions
    */
   public Ratings with(Ratings onto, Collection<GazeProposal> accepted, RatingScale scale) {
+    return merged(onto, accepted.stream().filter(GazeProposal::applicable).toList(), scale);
+  }
+
+  /**
+   * Returns which objects belong to which schemas by the ratings and by all proposals, those that
+   * are not clear included. Their values say nothing.
+   */
+  public Ratings places(Collection<GazeProposal> proposals) {
+    return merged(ratings, proposals, RatingScale.LINEAR);
+  }
+
+  private Ratings merged(Ratings onto, Collection<GazeProposal> proposals, RatingScale scale) {
     Map<String, Map<String, Mean>> means = new LinkedHashMap<>();
     onto.means().forEach((object, own) -> means.put(object, new LinkedHashMap<>(own)));
-    for (GazeProposal proposal : accepted) {
-      if (proposal.applicable() && SchemaNameValidator.complaint(proposal.schema()).isEmpty()) {
+    for (GazeProposal proposal : proposals) {
+      if (SchemaNameValidator.complaint(proposal.schema()).isEmpty()) {
         String name = rated.getOrDefault(proposal.object(), proposal.object());
         means
             .computeIfAbsent(name, key -> new LinkedHashMap<>())

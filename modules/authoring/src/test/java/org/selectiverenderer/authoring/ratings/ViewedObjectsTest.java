@@ -162,4 +162,32 @@ class ViewedObjectsTest {
             Lamp        DeskSchema    4.25    0.60  0.40-0.80         3       10.0       2.0      5  undecided
             """);
   }
+
+  @Test
+  void anAreaLeadsBackToTheRoomsOfItsObjectsThoughTheyAreNotClearThere() {
+    EnrichmentScenes scene =
+        EnrichmentScenes.with(object("Cup", 2) + "<ProximitySensor DEF='DeskProx'/>\n");
+    ViewedObjects objects = ViewedObjects.of(scene.enrichment);
+    List<GazeProposal> proposals =
+        List.of(
+            proposal("Switch_Cup", "DeskSchema", 0.1, 2),
+            proposal("Switch_Cup", "OfficeSchema", 0.5, 0)); // not to be written
+    Ratings accepted = objects.with(new Ratings(Map.of()), proposals, RatingScale.BANDS);
+    ObjectNameMatcher switches =
+        new ObjectNameMatcher(accepted.means().keySet(), scene.enrichment.switches());
+    scene.perform(
+        RatingPlan.of(
+                scene.enrichment,
+                accepted,
+                objects.places(proposals),
+                switches,
+                false,
+                RatingScale.BANDS)
+            .edit("Gaze"));
+
+    assertThat(scene.sensor("DeskProx").schemas().enter()).containsExactly("DeskSchema");
+    assertThat(scene.sensor("DeskProx").schemas().exit()).containsExactly("OfficeSchema");
+    assertThat(scene.switchNode("Switch_Cup").values().get(0).schemas())
+        .containsExactly("DeskSchema");
+  }
 }

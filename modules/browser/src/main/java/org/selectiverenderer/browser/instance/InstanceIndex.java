@@ -21,7 +21,7 @@ final class InstanceIndex {
    * For each node its only instance, or a {@link NodeInstances}: a street of copies has hundreds of
    * thousands of nodes with one instance each.
    */
-  private final Map<Node, Object> places = new IdentityHashMap<>();
+  private Map<Node, Object> places = new IdentityHashMap<>();
 
   /** The nodes that are neither group, shape nor light, each once. */
   final List<Node> otherNodes = new ArrayList<>();
@@ -43,9 +43,13 @@ final class InstanceIndex {
   /** All shapes; an immutable list, replaced when it is rebuilt. */
   List<ShapeInstance> shapes = List.of();
 
-  /** Rebuilds all lists. */
-  void collect(GroupInstance root) {
-    places.clear();
+  /**
+   * Rebuilds all lists.
+   *
+   * @param instances about how many there are
+   */
+  void collect(GroupInstance root, int instances) {
+    places = new IdentityHashMap<>(Math.max(1, instances)); // To grow takes longer than to fill it.
     otherNodes.clear();
     viewerDependent.clear();
     seenGroups.clear();

@@ -53,8 +53,6 @@ public final class InstanceTree {
       Math.min(MAX_INSTANCES, Runtime.getRuntime().maxMemory() / BYTES_PER_INSTANCE);
   private final AssetProvider assets;
   private final GroupInstance root;
-  private final Map<Node, SharedShapeState> looks = new IdentityHashMap<>();
-
   /** The reading that Shapes of the same template share if they are added at the same time. */
   private final Map<NodeTemplate, ShapeReading> readings = new IdentityHashMap<>();
 
@@ -88,6 +86,10 @@ public final class InstanceTree {
     root = (GroupInstance) build(rootNode, null, 0);
     root.show(true, this);
     collect();
+  }
+
+  AssetProvider assets() {
+    return assets;
   }
 
   public GroupInstance root() {
@@ -331,8 +333,8 @@ public final class InstanceTree {
       return instance;
     }
     if (node.type().name().equals("Shape") || node instanceof ProceduralShape) {
-      SharedShapeState look =
-          looks.computeIfAbsent(node, shape -> new SharedShapeState(shape, assets, this, readings));
+      SharedShapeState look = SharedShapeState.of(node, this);
+      look = look != null ? look : new SharedShapeState(node, this, readings);
       ShapeInstance instance = new ShapeInstance(node, parent, look);
       look.add(instance);
       instance.see(sight);
@@ -418,7 +420,6 @@ public final class InstanceTree {
       shape.look().remove(shape);
       if (shape.look().unused()) {
         shape.look().dispose();
-        looks.remove(shape.node());
       }
     } else if (instance instanceof LightInstance light) {
       light.node().removeObserver(light);
@@ -428,7 +429,7 @@ public final class InstanceTree {
   }
 
   private void collect() {
-    lists.collect(root);
+    lists.collect(root, instances);
     LightScopeResolver.tell(root, lists);
     changes.forget();
     readings.clear();

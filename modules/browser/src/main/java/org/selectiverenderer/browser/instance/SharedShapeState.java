@@ -25,7 +25,6 @@ import org.selectiverenderer.x3d.catalogue.FieldDefinition;
  */
 final class SharedShapeState implements NodeObserver {
   private final Node shape;
-  private final AssetProvider assets;
   private final InstanceTree tree;
 
   /** The instance or, of a Shape that is USEd, the first of several; null without any. */
@@ -37,7 +36,8 @@ final class SharedShapeState implements NodeObserver {
   private List<Node> inAppearance = List.of();
   private List<Node> inGeometry = List.of();
   private ShapeReading reading;
-  private final int visibleField;
+  private int polygons;
+  private boolean visible;
   private boolean pending;
   private boolean disposed;
 
@@ -52,15 +52,10 @@ final class SharedShapeState implements NodeObserver {
    *
    * @param readings the readings of Shapes that are like their templates; a new one is added
    */
-  SharedShapeState(
-      Node shape,
-      AssetProvider assets,
-      InstanceTree tree,
-      Map<NodeTemplate, ShapeReading> readings) {
+  SharedShapeState(Node shape, InstanceTree tree, Map<NodeTemplate, ShapeReading> readings) {
     this.shape = shape;
-    this.assets = assets;
     this.tree = tree;
-    visibleField = shape.type().field("visible").map(FieldDefinition::index).orElse(-1);
+    AssetProvider assets = tree.assets();
     if (shape instanceof ProceduralShape formed) {
       formed.meshes(assets::mesh);
     }
@@ -69,14 +64,29 @@ final class SharedShapeState implements NodeObserver {
     if (known != null) {
       deferred = true;
       shape.addObserver(this);
-      reading = known;
-      return;
+    } else {
+      observe();
+      known =
+          template != null && isLikeTemplate()
+              ? readings.computeIfAbsent(template, any -> ShapeReading.of(shape, geometry, assets))
+              : ShapeReading.of(shape, geometry, assets);
     }
-    observe();
-    reading =
-        template != null && isLikeTemplate()
-            ? readings.computeIfAbsent(template, any -> ShapeReading.of(shape, geometry, assets))
-            : ShapeReading.of(shape, geometry, assets);
+    reading = known;
+    lookAtShape();
+  }
+
+  /** Returns what the instances of a Shape in a tree share; null without any. */
+  static @Nullable SharedShapeState of(Node shape, InstanceTree tree) {
+    return shape.observer(
+        SharedShapeState.class, known -> known.shape == shape && known.tree == tree);
+  }
+
+  /** Notes what is asked for whenever the Shape is shown or hidden. */
+  private void lookAtShape() {
+    Mesh mesh = reading.mesh();
+    polygons = mesh == null ? 0 : mesh.polygons();
+    int field = shape.type().field("visible").map(FieldDefinition::index).orElse(-1);
+    visible = field < 0 || (Boolean) shape.value(field);
   }
 
   /**
@@ -156,12 +166,11 @@ final class SharedShapeState implements NodeObserver {
   void judged(ShaderNode shader, boolean valid, boolean selected, List<Problem> problems) {
     shader.judged(valid, selected);
     tree.judged(shader);
-    problems.forEach(assets::told);
+    problems.forEach(tree.assets()::told);
   }
 
   int polygons() {
-    Mesh mesh = reading.mesh();
-    return mesh == null ? 0 : mesh.polygons();
+    return polygons;
   }
 
   /** Returns whether the geometry is text measured in pixels (X3D 4.0, 36.4.4). */
@@ -170,7 +179,7 @@ final class SharedShapeState implements NodeObserver {
   }
 
   boolean visible() {
-    return visibleField < 0 || (Boolean) shape.value(visibleField);
+    return visible;
   }
 
   /** Returns the movie textures in the appearance. */
@@ -206,7 +215,7 @@ final class SharedShapeState implements NodeObserver {
         changes += inGeometry.get(i).changes();
       }
       if (changes > 0) {
-        assets.asOf(geometry, changes);
+        tree.assets().asOf(geometry, changes);
       }
     }
     Node appearance = shape.node("appearance");
@@ -227,7 +236,7 @@ final class SharedShapeState implements NodeObserver {
       Node part = parts.get(i);
       part.addObserver(this);
       if (part.changes() > 0 && hasAsset(part)) {
-        assets.asOf(part, part.changes());
+        tree.assets().asOf(part, part.changes());
       }
       if (part instanceof SoundSourceNode film) {
         films = films.isEmpty() ? new ArrayList<>(1) : films;
@@ -258,9 +267,9 @@ final class SharedShapeState implements NodeObserver {
       return;
     }
     if (inGeometry.contains(node) && geometry != null) {
-      assets.changed(geometry);
+      tree.assets().changed(geometry);
     } else if (hasAsset(node)) {
-      assets.changed(node);
+      tree.assets().changed(node);
     }
     if (!pending) {
       pending = true;
@@ -284,7 +293,8 @@ final class SharedShapeState implements NodeObserver {
           instance.show(false, tree);
           instance.wanted = wanted;
         });
-    reading = ShapeReading.of(shape, geometry, assets);
+    reading = ShapeReading.of(shape, geometry, tree.assets());
+    lookAtShape();
     if (reading.onScreen() != before.onScreen()
         || !films.equals(filmsBefore)
         || !reading.cubes().equals(before.cubes())) {

@@ -340,7 +340,7 @@ public final class RunningSceneLoader {
     return store
         .origin(node)
         .or(() -> store.maker(node))
-        .or(() -> store.origin(loaded.scene().root()))
+        .or(() -> UrlContext.of(loaded.scene()))
         .orElseGet(() -> UrlContext.workingFolder(loaded.loader().access()));
   }
 

@@ -222,7 +222,6 @@ final class SceneBuilder {
       made = new IdentityHashMap<>(head.count > 0 ? head.count : 4 * file.named().size() + 32);
       origin = head.origin(above);
       Node top = factory.make(groupType, null, SourceLocation.of(file.source()));
-      store.origin(top, origin);
       scene =
           new Scene(
               top,
@@ -231,6 +230,7 @@ final class SceneBuilder {
               file.profile(),
               head.components,
               origin.unitLength());
+      scene.companion(origin);
     }
 
     Scene build() {

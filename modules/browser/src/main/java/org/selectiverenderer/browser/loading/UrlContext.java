@@ -2,6 +2,8 @@ package org.selectiverenderer.browser.loading;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import org.selectiverenderer.browser.scene.Scene;
 import org.selectiverenderer.x3d.read.ParsedNode;
 import org.selectiverenderer.x3d.url.BaseUrl;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
@@ -24,6 +26,11 @@ record UrlContext(UrlResolver root, BaseUrl base, List<String> including, double
     Path here = Path.of("");
     return new UrlContext(
         new UrlResolver(here, access), BaseUrl.folder(here), List.of(here.toString()), 1);
+  }
+
+  /** Returns the context of the file from which a scene was made; empty without a file. */
+  static Optional<UrlContext> of(Scene scene) {
+    return scene.companion() instanceof UrlContext known ? Optional.of(known) : Optional.empty();
   }
 
   /** Returns the context of a node of the file, which may come from a prototype of another file. */

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.SourceLocation;
@@ -20,6 +21,7 @@ import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.browser.scene.SafeListenerInvoker;
 import org.selectiverenderer.browser.scene.Scene;
 import org.selectiverenderer.sai.InlineSceneAccess;
+import org.selectiverenderer.sai.MetadataChangeAccess;
 import org.selectiverenderer.sai.NodeNameAccess;
 import org.selectiverenderer.sai.ProtoBodyAccess;
 import org.web3d.x3d.sai.BrowserEvent;
@@ -37,7 +39,11 @@ import org.web3d.x3d.sai.X3DScene;
 
 /** The embedded browser behind the SAI. Its owner steps its world. Thread-safe. */
 public final class EmbeddedBrowser
-    implements ExternalBrowser, InlineSceneAccess, ProtoBodyAccess, NodeNameAccess {
+    implements ExternalBrowser,
+        InlineSceneAccess,
+        ProtoBodyAccess,
+        NodeNameAccess,
+        MetadataChangeAccess {
   /**
    * An event of this browser's own: nodes were added or removed at the top of the scene it shows.
    */
@@ -139,6 +145,11 @@ public final class EmbeddedBrowser
   @Override
   public Registration watchInline(X3DNode inline, Listener listener) {
     return new InlineWatcher(world, binding.proxyOf(inline), inlineOf(inline), listener);
+  }
+
+  @Override
+  public Optional<Registration> watchMetadata(X3DNode owner, DoubleConsumer listener) {
+    return MetadataTreeWatcher.of(world.cascade(), binding.proxyOf(owner), listener);
   }
 
   private InlineNode inlineOf(X3DNode node) {

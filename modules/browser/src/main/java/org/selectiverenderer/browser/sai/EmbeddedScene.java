@@ -2,6 +2,7 @@ package org.selectiverenderer.browser.sai;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -182,16 +183,36 @@ final class EmbeddedScene extends PrototypelessSceneAdapter {
     return read(
         () -> {
           Map<X3DNode, String> names = new HashMap<>();
-          scene
-              .named()
-              .forEach(
-                  (name, node) ->
-                      binding
-                          .known(PrototypeInstance.body(PrototypeInstance.seen(node, null)))
-                          .filter(nodes::contains)
-                          .ifPresent(known -> names.put(known, name)));
+          Set<X3DNode> rest = nodes.size() < scene.named().size() ? direct(nodes, names) : nodes;
+          if (!rest.isEmpty()) {
+            scene
+                .named()
+                .forEach(
+                    (name, node) ->
+                        binding
+                            .known(PrototypeInstance.body(PrototypeInstance.seen(node, null)))
+                            .filter(rest::contains)
+                            .ifPresent(known -> names.put(known, name)));
+          }
           return names;
         });
+  }
+
+  /** Adds the names that nodes know themselves, and returns the nodes that may have another one. */
+  private Set<X3DNode> direct(Set<X3DNode> nodes, Map<X3DNode, String> names) {
+    Set<X3DNode> rest = new HashSet<>();
+    for (X3DNode known : nodes) {
+      Node node = binding.own(known).orElse(null);
+      String name = node == null ? null : node.name();
+      if (name != null
+          && PrototypeInstance.seen(node, null) == node
+          && scene.find(name).orElse(null) == node) {
+        names.put(known, name);
+      } else {
+        rest.add(known);
+      }
+    }
+    return rest;
   }
 
   @Override

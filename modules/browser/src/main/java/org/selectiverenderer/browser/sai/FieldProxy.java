@@ -2,7 +2,6 @@ package org.selectiverenderer.browser.sai;
 
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Method;
-import java.lang.reflect.Proxy;
 import java.util.Arrays;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
@@ -39,12 +38,7 @@ final class FieldProxy implements InvocationHandler, SingleFieldListener, FieldM
   FieldProxy(NodeProxy owner, EmbeddedFieldDefinition definition) {
     this.owner = owner;
     this.definition = definition;
-    proxy =
-        (X3DField)
-            Proxy.newProxyInstance(
-                X3DField.class.getClassLoader(),
-                new Class<?>[] {owner.binding().types().interfaceOf(definition.field().type())},
-                this);
+    proxy = owner.binding().types().proxy(definition.field().type(), this);
   }
 
   NodeProxy owner() {
@@ -62,6 +56,9 @@ final class FieldProxy implements InvocationHandler, SingleFieldListener, FieldM
 
   @Override
   public @Nullable Object invoke(Object self, Method method, Object @Nullable [] arguments) {
+    if (ProxyMaker.asksForHandler(method)) {
+      return this;
+    }
     Object[] a = arguments == null ? NO_ARGUMENTS : arguments;
     switch (method.getName()) {
       case "equals":
@@ -100,9 +97,8 @@ final class FieldProxy implements InvocationHandler, SingleFieldListener, FieldM
   }
 
   private boolean sameField(@Nullable Object other) {
-    return other != null
-        && Proxy.isProxyClass(other.getClass())
-        && Proxy.getInvocationHandler(other) instanceof FieldProxy field
+    return other instanceof SaiObject object
+        && object.handler() instanceof FieldProxy field
         && field.owner == owner
         && field.definition == definition;
   }
@@ -217,18 +213,27 @@ final class FieldProxy implements InvocationHandler, SingleFieldListener, FieldM
   /** Calls the listeners in order, except those that were removed meanwhile. */
   @Override
   public void fieldChanged(Node node, int index, @Nullable Object value, double time) {
-    if (listeners == null || owner.gone()) {
+    Object now = listeners;
+    if (now == null || owner.gone()) {
       return;
     }
     X3DFieldEvent event = new X3DFieldEvent(proxy, time, userData);
-    for (X3DFieldEventListener listener : all()) {
-      if (Arrays.asList(all()).contains(listener)) {
-        SafeListenerInvoker.call(
-            owner.binding().problems(),
-            node.location(),
-            "a listener of " + definition.getName(),
-            () -> listener.readableFieldChanged(event));
+    if (now instanceof X3DFieldEventListener[] several) {
+      for (X3DFieldEventListener listener : several) {
+        if (Arrays.asList(all()).contains(listener)) {
+          call(listener, event, node);
+        }
       }
+    } else {
+      call((X3DFieldEventListener) now, event, node);
     }
+  }
+
+  private void call(X3DFieldEventListener listener, X3DFieldEvent event, Node node) {
+    SafeListenerInvoker.call(
+        owner.binding().problems(),
+        node.location(),
+        () -> "a listener of " + definition.getName(),
+        () -> listener.readableFieldChanged(event));
   }
 }

@@ -2,7 +2,6 @@ package org.selectiverenderer.browser.sai;
 
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Method;
-import java.lang.reflect.Proxy;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.scene.Node;
@@ -38,8 +37,7 @@ final class NodeProxy implements InvocationHandler {
     this.node = node;
     this.realized = realized;
     kind = binding.types().kind(node.type());
-    proxy =
-        (X3DNode) Proxy.newProxyInstance(X3DNode.class.getClassLoader(), kind.interfaces(), this);
+    proxy = kind.proxy(this);
   }
 
   SaiContext binding() {
@@ -73,6 +71,9 @@ final class NodeProxy implements InvocationHandler {
 
   @Override
   public @Nullable Object invoke(Object self, Method method, Object @Nullable [] arguments) {
+    if (ProxyMaker.asksForHandler(method)) {
+      return this;
+    }
     Object[] a = arguments == null ? NO_ARGUMENTS : arguments;
     NodeMethod meaning = kind.meaning(method);
     return switch (meaning.operation()) {

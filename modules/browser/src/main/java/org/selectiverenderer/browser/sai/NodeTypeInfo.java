@@ -1,5 +1,6 @@
 package org.selectiverenderer.browser.sai;
 
+import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Method;
 import java.util.ArrayList;
 import java.util.List;
@@ -20,14 +21,17 @@ import org.web3d.x3d.sai.X3DProtoInstance;
  */
 final class NodeTypeInfo {
   private final NodeType type;
-  private final Class<?>[] interfaces;
+  private final ProxyMaker proxies;
   private final int[] numbers;
   private final EmbeddedFieldDefinition[] definitions;
   private final Map<Method, NodeMethod> methods = new ConcurrentHashMap<>();
 
+  /** The definitions by every name that was asked for and that a field has. */
+  private final Map<String, EmbeddedFieldDefinition> byName = new ConcurrentHashMap<>();
+
   NodeTypeInfo(NodeType type, SaiTypeRegistry types) {
     this.type = type;
-    interfaces = interfacesOf(type);
+    proxies = new ProxyMaker(interfacesOf(type));
     numbers =
         type.ancestors().stream()
             .sorted()
@@ -64,11 +68,11 @@ final class NodeTypeInfo {
   }
 
   /**
-   * Returns X3DNode and the interfaces of the type itself and of its abstract types, as far as none
-   * of them extends the other. Not to be modified.
+   * Makes the SAI object of a node. It implements X3DNode and the interfaces of the type itself and
+   * of its abstract types, as far as none of them extends the other.
    */
-  Class<?>[] interfaces() {
-    return interfaces;
+  X3DNode proxy(InvocationHandler handler) {
+    return (X3DNode) proxies.make(handler);
   }
 
   /** Returns the constants of its abstract types. */
@@ -92,6 +96,15 @@ final class NodeTypeInfo {
    * @throws InvalidFieldException if there is no such field
    */
   EmbeddedFieldDefinition definition(String name) {
+    EmbeddedFieldDefinition known = byName.get(name);
+    if (known == null) {
+      known = find(name);
+      byName.put(name, known);
+    }
+    return known;
+  }
+
+  private EmbeddedFieldDefinition find(String name) {
     return type.field(name)
         .or(() -> type.input(name))
         .or(() -> type.output(name))

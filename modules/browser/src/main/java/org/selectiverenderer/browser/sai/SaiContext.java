@@ -1,7 +1,5 @@
 package org.selectiverenderer.browser.sai;
 
-import java.lang.reflect.InvocationHandler;
-import java.lang.reflect.Proxy;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.ProblemCollector;
@@ -135,12 +133,19 @@ final class SaiContext {
     return find(node);
   }
 
+  /** Returns the node itself of an SAI object of this browser; empty for any other object. */
+  Optional<Node> own(X3DNode node) {
+    return node instanceof SaiObject object
+            && object.handler() instanceof NodeProxy proxy
+            && proxy.binding() == this
+        ? Optional.of(proxy.node())
+        : Optional.empty();
+  }
+
   private NodeProxy find(@Nullable X3DNode node) {
-    InvocationHandler handler =
-        node != null && Proxy.isProxyClass(node.getClass())
-            ? Proxy.getInvocationHandler(node)
-            : null;
-    if (handler instanceof NodeProxy proxy && proxy.binding() == this) {
+    if (node instanceof SaiObject object
+        && object.handler() instanceof NodeProxy proxy
+        && proxy.binding() == this) {
       return proxy;
     }
     throw new InvalidNodeException(

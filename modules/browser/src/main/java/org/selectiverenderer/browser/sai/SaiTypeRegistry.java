@@ -1,5 +1,6 @@
 package org.selectiverenderer.browser.sai;
 
+import java.lang.reflect.InvocationHandler;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -20,7 +21,7 @@ final class SaiTypeRegistry {
   private static final String PACKAGE = X3DNode.class.getPackageName() + ".";
 
   private final Map<NodeType, NodeTypeInfo> kinds = new ConcurrentHashMap<>();
-  private final Map<FieldType, Class<?>> fieldInterfaces = new ConcurrentHashMap<>();
+  private final Map<FieldType, ProxyMaker> fieldProxies = new ConcurrentHashMap<>();
   private final Map<FieldType, Integer> fieldNumbers = new ConcurrentHashMap<>();
 
   NodeTypeInfo kind(NodeType type) {
@@ -34,12 +35,19 @@ final class SaiTypeRegistry {
   }
 
   /**
-   * Returns the interface of a field type; for types that the SAI lacks (SFVec4f ...) the general
-   * one.
+   * Makes the SAI object of a field. It implements the interface of the field's type or, of types
+   * that the SAI lacks (SFVec4f ...), the general one.
    */
-  Class<?> interfaceOf(FieldType type) {
-    return fieldInterfaces.computeIfAbsent(
-        type, t -> find(t.name()).orElse(t.multiple() ? MField.class : X3DField.class));
+  X3DField proxy(FieldType type, InvocationHandler handler) {
+    ProxyMaker maker = fieldProxies.get(type);
+    if (maker == null) {
+      maker = fieldProxies.computeIfAbsent(type, missing -> new ProxyMaker(interfaceOf(missing)));
+    }
+    return (X3DField) maker.make(handler);
+  }
+
+  private static Class<?> interfaceOf(FieldType type) {
+    return find(type.name()).orElse(type.multiple() ? MField.class : X3DField.class);
   }
 
   EmbeddedFieldDefinition describe(FieldDefinition field) {

@@ -145,7 +145,7 @@ public final class EventCascade {
     SafeListenerInvoker.call(
         problems,
         next.node.location(),
-        "a listener of " + next.node.type().fields().get(next.field).name(),
+        () -> "a listener of " + next.node.type().fields().get(next.field).name(),
         () -> next.listener.fieldChanged(next.node, next.field, next.value, time));
   }
 }

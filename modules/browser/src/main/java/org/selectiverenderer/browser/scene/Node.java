@@ -117,7 +117,7 @@ public class Node implements NodeView {
     if (value instanceof ParsedNode) {
       value = makeParts()[field];
     }
-    return value != null ? value : type.fields().get(field).defaultValue();
+    return value != null ? value : type.defaultValue(field);
   }
 
   /** Returns the node in an SFNode field, or null. */
@@ -431,6 +431,21 @@ public class Node implements NodeView {
     } else if (observer.equals(observers)) {
       observers = null;
     }
+  }
+
+  /** Returns the first observer that is of a class and satisfies a condition, or null. */
+  public final <O extends NodeObserver> @Nullable O observer(
+      Class<O> kind, Predicate<? super O> wanted) {
+    Object now = observers;
+    if (!(now instanceof ObserverList list)) {
+      return kind.isInstance(now) && wanted.test(kind.cast(now)) ? kind.cast(now) : null;
+    }
+    for (int i = 0; i < list.count; i++) {
+      if (kind.isInstance(list.all[i]) && wanted.test(kind.cast(list.all[i]))) {
+        return kind.cast(list.all[i]);
+      }
+    }
+    return null;
   }
 
   /** Adds a listener; listeners are called in the order in which they were added. */

@@ -1,6 +1,7 @@
 package org.selectiverenderer.browser.scene;
 
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.base.problem.SourceLocation;
 
@@ -23,14 +24,24 @@ public final class SafeListenerInvoker {
    */
   public static void call(
       ProblemCollector problems, SourceLocation location, String who, Runnable code) {
+    call(problems, location, () -> who, code);
+  }
+
+  /**
+   * Calls code.
+   *
+   * @param who returns the name of the code in the report, of which there are many and few reports
+   */
+  public static void call(
+      ProblemCollector problems, SourceLocation location, Supplier<String> who, Runnable code) {
     try {
       code.run();
     } catch (StackOverflowError e) {
-      report(problems, location, who, e);
+      report(problems, location, who.get(), e);
     } catch (VirtualMachineError e) {
       throw e;
     } catch (RuntimeException | Error e) {
-      report(problems, location, who, e);
+      report(problems, location, who.get(), e);
     }
   }
 

@@ -32,6 +32,7 @@ public final class Scene {
   private Set<Route> routes = Collections.emptySet();
   private Set<Node> loose = Collections.emptySet();
   private @Nullable Set<String> types;
+  private @Nullable Object companion;
 
   /**
    * @param root a Group that holds the scene's top nodes in its {@code children}
@@ -57,6 +58,15 @@ public final class Scene {
   /** Returns the group that holds the root nodes; it is no part of the file. */
   public Node root() {
     return root;
+  }
+
+  /** Returns the object that the loader has attached to this scene; null without one. */
+  public @Nullable Object companion() {
+    return companion;
+  }
+
+  public void companion(Object object) {
+    companion = object;
   }
 
   public String url() {

@@ -26,7 +26,12 @@ class NodeNamesTest {
 
   @Test
   void ofSeveralNamesTheLastCounts() {
-    try (SaiFixture sai = SaiFixture.showing("<Group DEF='A'/>")) {
+    assertTheLastOfSeveralNamesCounts("<Group DEF='A'/>");
+    assertTheLastOfSeveralNamesCounts("<Group DEF='A'/><Group DEF='B'/><Group DEF='C'/>");
+  }
+
+  private static void assertTheLastOfSeveralNamesCounts(String nodes) {
+    try (SaiFixture sai = SaiFixture.showing(nodes)) {
       X3DNode group = sai.node("A");
       sai.scene().updateNamedNode("Z", group);
       assertThat(sai.browser.namesOf(sai.scene(), Set.of(group))).containsOnly(entry(group, "Z"));

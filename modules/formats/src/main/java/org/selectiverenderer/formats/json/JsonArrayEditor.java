@@ -92,7 +92,7 @@ public final class JsonArrayEditor {
   }
 
   /** Returns the offset after the current token, which is read to its end first. */
-  private static int end(JsonParser parser) throws IOException {
+  static int end(JsonParser parser) throws IOException {
     if (parser.currentToken().isScalarValue()) {
       return begin(parser) + written(parser);
     }

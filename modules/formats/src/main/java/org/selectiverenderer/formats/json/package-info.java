@@ -10,8 +10,9 @@
  * since the program would not do what its author meant: a display profile whose {@code
  * image_distance} is misspelt would show wrong depths. All errors of a file are reported at once.
  *
- * <p>{@link org.selectiverenderer.formats.json.JsonArrayEditor} edits an array in such a file and
- * leaves the rest unchanged.
+ * <p>{@link org.selectiverenderer.formats.json.JsonArrayEditor} edits an array in such a file,
+ * {@link org.selectiverenderer.formats.json.JsonValueEditor} single values; both leave the rest
+ * unchanged.
  *
  * <p>Files that programs exchange (journals, reports, descriptions, figures) are read by {@link
  * org.selectiverenderer.formats.json.JsonTree}, which ignores unknown keys, since newer versions

@@ -2,18 +2,18 @@ package org.selectiverenderer.study.definition;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.selectiverenderer.base.files.FileOperations;
 import org.selectiverenderer.base.files.FileTransaction;
 import org.selectiverenderer.base.files.InputFileReader;
+import org.selectiverenderer.formats.json.JsonValueEditor;
 
 /**
  * Writes the folder of a new study from a template: the study of the thesis (5.1, 6.1), to be
@@ -41,8 +41,13 @@ public final class StudyTemplate {
           "pilot/expectancy.csv",
           "pilot/threshold.json");
 
-  /** A scene outside of the folder of its study. */
-  private static final Pattern OUTSIDE = Pattern.compile("\"scene\": \"(\\.\\./[^\"]+)\"");
+  /** How the key of a scene is spelled, and how the path of one outside of a folder begins. */
+  private static final String SCENE = "scene";
+
+  private static final String OUTSIDE = "../";
+
+  private static final String SCENE_MARK = "@scene@";
+  private static final String PRACTICE_MARK = "@practice@";
 
   private StudyTemplate() {}
 
@@ -66,13 +71,7 @@ public final class StudyTemplate {
         folder,
         scene,
         FileOperations.REAL,
-        Map.of(
-            "\"participants\": 54,",
-            "\"participants\": %d,".formatted(participants),
-            "\"seed\": 2009,",
-            "\"seed\": %d,".formatted(seed),
-            "all groups together: three groups of 18.",
-            "all groups together (the thesis: three groups of 18)."));
+        Map.of("participants", (long) participants, "seed", seed));
   }
 
   /** Writes the folder with other file actions, for tests. */
@@ -81,7 +80,7 @@ public final class StudyTemplate {
   }
 
   private static Path write(
-      Path folder, Path scene, FileOperations actions, Map<String, String> changes)
+      Path folder, Path scene, FileOperations actions, Map<String, Long> changes)
       throws IOException {
     Files.createDirectories(folder.resolve("pilot"));
     for (String name : FILES) {
@@ -123,15 +122,7 @@ public final class StudyTemplate {
       }
       byte[] bytes = InputFileReader.bytes(file);
       if (file.endsWith(STUDY)) {
-        String text = new String(bytes, StandardCharsets.UTF_8);
-        Matcher outside = OUTSIDE.matcher(text);
-        StringBuilder moved = new StringBuilder();
-        while (outside.find()) {
-          String scene = from(folder, example.resolve(outside.group(1)));
-          outside.appendReplacement(
-              moved, Matcher.quoteReplacement("\"scene\": \"" + scene + "\""));
-        }
-        bytes = outside.appendTail(moved).toString().getBytes(StandardCharsets.UTF_8);
+        bytes = moved(new String(bytes, StandardCharsets.UTF_8), example, folder);
       }
       writing.addNew(copy, bytes);
     }
@@ -139,13 +130,27 @@ public final class StudyTemplate {
     return folder.resolve(STUDY);
   }
 
-  private static byte[] changed(byte[] content, Map<String, String> changes) {
+  /** Names scenes outside of a study's folder as they are seen from another. */
+  private static byte[] moved(String study, Path from, Path to) throws IOException {
+    try {
+      return JsonValueEditor.withStrings(
+              study,
+              (key, value) ->
+                  key.equals(SCENE) && value.startsWith(OUTSIDE)
+                      ? from(to, from.resolve(value))
+                      : value)
+          .getBytes(StandardCharsets.UTF_8);
+    } catch (UncheckedIOException e) {
+      throw e.getCause();
+    } catch (IllegalArgumentException e) {
+      throw new IOException(from.resolve(STUDY) + ": " + e.getMessage(), e);
+    }
+  }
+
+  private static byte[] changed(byte[] content, Map<String, Long> changes) {
     String text = new String(content, StandardCharsets.UTF_8);
-    for (Map.Entry<String, String> change : changes.entrySet()) {
-      if (!text.contains(change.getKey())) {
-        throw new IllegalStateException("the template has no " + change.getKey());
-      }
-      text = text.replace(change.getKey(), change.getValue());
+    for (Map.Entry<String, Long> change : changes.entrySet()) {
+      text = JsonValueEditor.withNumber(text, change.getKey(), change.getValue());
     }
     return text.getBytes(StandardCharsets.UTF_8);
   }
@@ -156,19 +161,32 @@ public final class StudyTemplate {
       return bytes;
     }
     Path seenFrom = folder.resolve(name).getParent();
-    return new String(bytes, StandardCharsets.UTF_8)
-        .replace("@scene@", from(seenFrom, scene))
-        .replace("@practice@", from(seenFrom, scene.resolveSibling("practice.x3d")))
-        .getBytes(StandardCharsets.UTF_8);
+    try {
+      return JsonValueEditor.withStrings(
+              new String(bytes, StandardCharsets.UTF_8),
+              (key, value) ->
+                  switch (value) {
+                    case SCENE_MARK -> from(seenFrom, scene);
+                    case PRACTICE_MARK -> from(seenFrom, scene.resolveSibling("practice.x3d"));
+                    default -> value;
+                  })
+          .getBytes(StandardCharsets.UTF_8);
+    } catch (UncheckedIOException e) {
+      throw e.getCause();
+    }
   }
 
   /** Returns the path of a file relative to a folder, with slashes on every system. */
-  private static String from(Path folder, Path file) throws IOException {
-    Path there = file.toRealPath();
-    Path here = folder.toRealPath();
-    return Objects.equals(here.getRoot(), there.getRoot())
-        ? here.relativize(there).toString().replace('\\', '/')
-        : there.toString().replace('\\', '/');
+  private static String from(Path folder, Path file) {
+    try {
+      Path there = file.toRealPath();
+      Path here = folder.toRealPath();
+      return Objects.equals(here.getRoot(), there.getRoot())
+          ? here.relativize(there).toString().replace('\\', '/')
+          : there.toString().replace('\\', '/');
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   private static byte[] resource(String name) throws IOException {

@@ -2,9 +2,11 @@ package org.selectiverenderer.study.gaze;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.OptionalDouble;
 import org.selectiverenderer.study.gaze.ConsistencyEstimate.Evidence;
 import org.selectiverenderer.study.gaze.CrossedEffectsModel.Fit;
@@ -83,6 +85,7 @@ public final class ConsistencyEstimator {
       fit = CrossedEffectsModel.fit(observations(exponent));
     }
     double share = Math.max(0, 1 - Math.pow(PLACE / fit.spread(), 2));
+    Map<Key, Evidence> evidence = evidence();
     List<ConsistencyEstimate> estimates = new ArrayList<>();
     for (Map.Entry<Key, Integer> each : objects.entrySet()) {
       Key key = each.getKey();
@@ -94,7 +97,7 @@ public final class ConsistencyEstimator {
               expected(rating) + share * fit.objects()[each.getValue()],
               Math.hypot(Math.sqrt(share) * PLACE, share * fit.deviations()[each.getValue()]),
               rating,
-              evidence(key)));
+              Objects.requireNonNull(evidence.get(key))));
     }
     estimates.sort(
         Comparator.comparing((ConsistencyEstimate each) -> areas.get(each.area()))
@@ -152,20 +155,23 @@ public final class ConsistencyEstimator {
     return rating.isPresent() ? ConsistencyEstimate.expectedAttention(rating.getAsDouble()) : 0;
   }
 
-  private Evidence evidence(Key key) {
-    int people = 0;
-    double inView = 0;
-    double dwell = 0;
-    int fixations = 0;
+  /** Adds up what each object's estimate rests on. */
+  private Map<Key, Evidence> evidence() {
+    Map<Key, Evidence> evidence = new HashMap<>();
     for (ParticipantAttention seen : all) {
-      ObjectAttention object = seen.objects().get(key.object());
-      if (seen.area().equals(key.area()) && object != null) {
-        people++;
-        inView += object.inView();
-        dwell += object.dwell();
-        fixations += object.fixations();
-      }
+      seen.objects()
+          .forEach(
+              (name, object) ->
+                  evidence.merge(
+                      new Key(seen.area(), name),
+                      new Evidence(1, object.inView(), object.dwell(), object.fixations()),
+                      (one, other) ->
+                          new Evidence(
+                              one.participants() + other.participants(),
+                              one.inView() + other.inView(),
+                              one.dwell() + other.dwell(),
+                              one.fixations() + other.fixations())));
     }
-    return new Evidence(people, inView, dwell, fixations);
+    return evidence;
   }
 }

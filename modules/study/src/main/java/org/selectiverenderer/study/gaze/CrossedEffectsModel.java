@@ -1,6 +1,7 @@
 package org.selectiverenderer.study.gaze;
 
 import java.util.List;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.CholeskyDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
@@ -16,7 +17,8 @@ import org.apache.commons.math3.linear.RealMatrix;
  * little data towards 0; the variances are those of restricted maximum likelihood, found by
  * expectation maximisation, each with a weak prior, since few objects or participants tell little
  * of them. Objects are eliminated first, so that a step costs the cube of the number of
- * participants.
+ * participants; an object is tied only to its own group and to those who saw it, and sums over the
+ * observations are made once.
  */
 final class CrossedEffectsModel {
   /** Priors of the variances: as if so many effects had been seen with this standard deviation. */
@@ -58,6 +60,12 @@ final class CrossedEffectsModel {
   private final int objects;
   private final int participants;
   private final int groups;
+
+  /** Sums over the observations as if errors had the variance 1; the upper half. */
+  private final double[][] sums;
+
+  private final double[] products;
+  private final Tie[] ties;
   private double ofObjects = OBJECTS * OBJECTS;
   private double ofParticipants = PARTICIPANTS * PARTICIPANTS;
   private double ofErrors = 1;
@@ -67,6 +75,45 @@ final class CrossedEffectsModel {
     objects = 1 + data.stream().mapToInt(Observation::object).max().orElseThrow();
     participants = 1 + data.stream().mapToInt(Observation::participant).max().orElseThrow();
     groups = 1 + data.stream().mapToInt(Observation::group).max().orElseThrow();
+    int width = groups + 1 + participants;
+    sums = new double[width][width];
+    products = new double[width];
+    ties = tie(width);
+  }
+
+  /**
+   * An object's part of the mixed model equations, as if errors had the variance 1.
+   *
+   * @param at the other unknowns that it shares observations with, ascending
+   * @param values its coefficient with each
+   */
+  private record Tie(int[] at, double[] values, double diagonal, double product) {}
+
+  private Tie[] tie(int width) {
+    double[][] between = new double[objects][width];
+    double[] diagonal = new double[objects];
+    double[] own = new double[objects];
+    for (Observation each : data) {
+      double weight = each.weight();
+      int[] at = {each.group(), groups, groups + 1 + each.participant()};
+      double[] value = {1, each.x(), 1};
+      for (int a = 0; a < at.length; a++) {
+        for (int b = a; b < at.length; b++) {
+          sums[at[a]][at[b]] += weight * value[a] * value[b];
+        }
+        products[at[a]] += weight * value[a] * each.y();
+        between[each.object()][at[a]] += weight * value[a];
+      }
+      diagonal[each.object()] += weight;
+      own[each.object()] += weight * each.y();
+    }
+    Tie[] all = new Tie[objects];
+    for (int k = 0; k < objects; k++) {
+      double[] row = between[k];
+      int[] at = IntStream.range(0, width).filter(i -> row[i] != 0).toArray();
+      all[k] = new Tie(at, IntStream.of(at).mapToDouble(i -> row[i]).toArray(), diagonal[k], own[k]);
+    }
+    return all;
   }
 
   /** Fits a model to at least one observation. */
@@ -104,63 +151,56 @@ final class CrossedEffectsModel {
 
   private Solution solve() {
     int width = groups + 1 + participants;
+    double precision = 1 / ofErrors;
     double[][] left = new double[width][width];
     double[] right = new double[width];
-    double[][] between = new double[objects][width];
-    double[] diagonal = new double[objects];
-    double[] own = new double[objects];
-    for (Observation each : data) {
-      double weight = each.weight() / ofErrors;
-      int[] at = {each.group(), groups, groups + 1 + each.participant()};
-      double[] value = {1, each.x(), 1};
-      for (int a = 0; a < at.length; a++) {
-        for (int b = 0; b < at.length; b++) {
-          left[at[a]][at[b]] += weight * value[a] * value[b];
-        }
-        right[at[a]] += weight * value[a] * each.y();
-        between[each.object()][at[a]] += weight * value[a];
-      }
-      diagonal[each.object()] += weight;
-      own[each.object()] += weight * each.y();
-    }
     for (int i = 0; i < width; i++) {
+      for (int j = i; j < width; j++) {
+        left[i][j] = precision * sums[i][j];
+      }
+      right[i] = precision * products[i];
       left[i][i] +=
           i < groups
               ? 1 / (INTERCEPT * INTERCEPT)
               : i == groups ? 1 / (SLOPE * SLOPE) : 1 / ofParticipants;
     }
-    for (int k = 0; k < objects; k++) {
-      diagonal[k] += 1 / ofObjects;
-      for (int i = 0; i < width; i++) {
-        double share = between[k][i] / diagonal[k];
-        if (share != 0) {
-          right[i] -= share * own[k];
-          for (int j = 0; j < width; j++) {
-            left[i][j] -= share * between[k][j];
-          }
+    for (Tie tie : ties) {
+      double factor = precision * precision / (precision * tie.diagonal + 1 / ofObjects);
+      for (int a = 0; a < tie.at.length; a++) {
+        double share = factor * tie.values[a];
+        double[] row = left[tie.at[a]];
+        right[tie.at[a]] -= share * tie.product;
+        for (int b = a; b < tie.at.length; b++) {
+          row[tie.at[b]] -= share * tie.values[b];
         }
       }
     }
     RealMatrix inverse = inverse(left);
     double[] others = inverse.operate(right);
+    double[][] covariance = inverse.getData();
     double[] effects = new double[objects];
     double[] variances = new double[objects];
     for (int k = 0; k < objects; k++) {
-      double[] spread = inverse.operate(between[k]);
+      Tie tie = ties[k];
+      double diagonal = precision * tie.diagonal + 1 / ofObjects;
       double fitted = 0;
       double square = 0;
-      for (int i = 0; i < width; i++) {
-        fitted += between[k][i] * others[i];
-        square += between[k][i] * spread[i];
+      for (int a = 0; a < tie.at.length; a++) {
+        double[] row = covariance[tie.at[a]];
+        double half = row[tie.at[a]] * tie.values[a] / 2;
+        for (int b = a + 1; b < tie.at.length; b++) {
+          half += row[tie.at[b]] * tie.values[b];
+        }
+        square += 2 * tie.values[a] * half;
+        fitted += tie.values[a] * others[tie.at[a]];
       }
-      effects[k] = (own[k] - fitted) / diagonal[k];
-      variances[k] = 1 / diagonal[k] + square / (diagonal[k] * diagonal[k]);
+      effects[k] = precision * (tie.product - fitted) / diagonal;
+      variances[k] = 1 / diagonal + precision * precision * square / (diagonal * diagonal);
     }
     return new Solution(effects, variances, others, inverse);
   }
 
   private static RealMatrix inverse(double[][] symmetric) {
-    // Both halves are rounded differently; the decomposition rejects what is not symmetric.
     for (int i = 0; i < symmetric.length; i++) {
       for (int j = 0; j < i; j++) {
         symmetric[i][j] = symmetric[j][i];

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
 import java.util.Map;
 import java.util.Objects;
 import java.util.OptionalDouble;
@@ -148,6 +149,39 @@ class ConsistencyEstimateTest {
     assertThat(fit.slope()).isCloseTo(1.5, within(0.15));
     for (double effect : fit.objects()) {
       assertThat(effect).isBetween(-0.2, 0.2);
+    }
+  }
+
+  /** A tenth of the limits: 200 participants saw half of 200 objects in 10 areas. */
+  @Test
+  void manyObjectsInManyAreasAreEstimated() {
+    int participants = 200;
+    int areas = 10;
+    int objects = 200;
+    Random random = new Random(3);
+    double[] effects = random.doubles(objects, -1, 1).toArray();
+    List<Observation> data = new ArrayList<>();
+    for (int p = 0; p < participants; p++) {
+      double own = 0.2 * random.nextGaussian();
+      for (int k = 0; k < objects; k++) {
+        double x = random.nextGaussian();
+        double y = k % areas + 0.3 * x + effects[k] + own + 0.5 * random.nextGaussian();
+        if ((p + k / areas) % 2 == 0) {
+          data.add(new Observation(k, p, k % areas, x, y, 1));
+        }
+      }
+    }
+
+    Fit fit = CrossedEffectsModel.fit(data);
+
+    assertThat(fit.slope()).isCloseTo(0.3, within(0.02));
+    for (int k = 0; k < objects; k++) {
+      double mean = 0; // effects are relative to those of the same area
+      for (int other = k % areas; other < objects; other += areas) {
+        mean += effects[other] * areas / objects;
+      }
+      assertThat(fit.objects()[k]).isCloseTo(effects[k] - mean, within(0.3));
+      assertThat(fit.deviations()[k]).isBetween(0.03, 0.3);
     }
   }
 }

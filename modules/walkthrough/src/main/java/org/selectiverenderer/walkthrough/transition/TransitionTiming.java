@@ -145,6 +145,9 @@ public final class TransitionTiming implements SwitchTiming, AutoCloseable {
 
   @Override
   public Optional<SwitchVisibility> shows(X3DNode switchNode, int choice) {
+    if (!observing && !(transition instanceof SwitchTransition.Fade)) {
+      return Optional.empty();
+    }
     Node node = nodes.apply(switchNode);
     Optional<SwitchVisibility> seen = observing ? seen(node, choice) : Optional.empty();
     if (transition instanceof SwitchTransition.Fade fade

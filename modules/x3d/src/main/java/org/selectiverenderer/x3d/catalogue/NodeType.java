@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.x3d.field.FieldType;
 
 /**
@@ -24,6 +25,7 @@ public final class NodeType {
   private final Set<String> ancestors;
   private final List<FieldDefinition> fields;
   private final List<FieldDefinition> nodeFields;
+  private final @Nullable Object[] defaults;
   private final int ownFrom;
   private final Map<String, FieldDefinition> fieldsByName;
 
@@ -52,6 +54,7 @@ public final class NodeType {
     this.containerField = containerField;
     this.ancestors = Set.copyOf(ancestors);
     this.fields = List.copyOf(fields);
+    this.defaults = this.fields.stream().map(FieldDefinition::defaultValue).toArray();
     this.nodeFields = this.fields.stream().filter(NodeType::holdsNodes).toList();
     this.fieldsByName = new HashMap<>(fields.size() * 2);
     for (FieldDefinition field : fields) {
@@ -134,6 +137,11 @@ public final class NodeType {
   /** Returns the fields in the order of the standard. */
   public List<FieldDefinition> fields() {
     return fields;
+  }
+
+  /** Returns the default value of a field. */
+  public @Nullable Object defaultValue(int field) {
+    return defaults[field];
   }
 
   /** Returns the fields that hold nodes, without {@code metadata}, in the order of the standard. */

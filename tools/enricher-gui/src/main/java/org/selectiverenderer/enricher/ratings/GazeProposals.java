@@ -36,7 +36,8 @@ public final class GazeProposals {
     if (data.participants() == 1) {
       problems.info(
           SourceLocation.of(logs.get(0).toString()),
-          "one participant only: nothing is proposed from one person's interests");
+          "one participant only: nothing is proposed from one person's interests; name the logs of"
+              + " others too (each folder sub-ID is a participant, else each file)");
     }
     String varied =
         data.conditions().stream()
@@ -50,6 +51,11 @@ public final class GazeProposals {
               + "logs of the condition high do not have this doubt");
     }
     return new GazeProposals(data);
+  }
+
+  /** Returns the number of participants whose logs are used. */
+  public int participants() {
+    return data.participants();
   }
 
   /** Returns the proposals, by schema, the most inconsistent objects first. */
