@@ -9,20 +9,16 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
-import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
-import org.selectiverenderer.browser.instance.GroupInstance;
 import org.selectiverenderer.browser.instance.Instance;
 import org.selectiverenderer.browser.instance.InstanceTree;
-import org.selectiverenderer.browser.instance.SubtreeMeasurement;
 import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.browser.viewer.Viewer;
 import org.selectiverenderer.control.ChoosableObject;
 import org.selectiverenderer.control.budget.VersionChoices;
 import org.selectiverenderer.control.budget.VersionLoss;
-import org.selectiverenderer.geometry.BoundingBox;
 import org.web3d.x3d.sai.X3DNode;
 
 /**
@@ -32,31 +28,20 @@ import org.web3d.x3d.sai.X3DNode;
  * <p>The numbers stand in arrays, since all of them are needed in every frame.
  */
 public final class ObjectPlaces {
-  /**
-   * The size of an object in one place.
-   *
-   * @param radius of a sphere around it
-   * @param disc radius of a disc as large as its mean shadow
-   * @param localMiddle in the coordinates of the place
-   */
-  private record Size(double radius, double disc, Vector3d localMiddle) {}
-
   private final List<ChoosableObject> objects;
   private final Function<X3DNode, Node> nodes;
   private final long structure;
   private final Set<Node> switches;
   private final Node[] switchNodes;
+  private final MeasuredObject[] measurements;
   private final List<VersionChoices> choices = new ArrayList<>();
-  private final Instance[][] instances;
-  private final long[][] costs;
+  private final List<MeasuredObject.Place> places = new ArrayList<>();
   private boolean nested;
   private int measured;
 
   /** For each object: the first of its places; one more at the end. */
   private final int[] first;
 
-  private final List<Instance> places = new ArrayList<>();
-  private final List<Vector3d> localMiddles;
   private final double[] x;
   private final double[] y;
   private final double[] z;
@@ -98,35 +83,32 @@ public final class ObjectPlaces {
     first = new int[count + 1];
     unexpected = new double[count];
     switchNodes = new Node[count];
-    instances = new Instance[count][];
-    costs = new long[count][];
-    List<Size> sizes = new ArrayList<>();
-    Map<Node, Integer> unchanged = before == null ? Map.of() : before.unchanged(switches, tree);
+    measurements = new MeasuredObject[count];
+    Map<Node, MeasuredObject> known =
+        before != null && before.switches.equals(switches) ? before.known() : Map.of();
     for (int i = 0; i < count; i++) {
       Node node = nodes.apply(objects.get(i).node());
       List<Instance> found = tree.instances(node);
+      int versions = objects.get(i).versions();
+      MeasuredObject object = known.get(node);
+      if (before == null || object == null || !object.holds(found, versions, before.structure)) {
+        object = MeasuredObject.of(found, versions, switches);
+        measured++;
+      }
       switchNodes[i] = node;
-      instances[i] = found.toArray(Instance[]::new);
-      Integer known = unchanged.get(node);
-      costs[i] =
-          before != null && known != null && before.costs[known].length == versions(i)
-              ? takeOver(before, known, sizes)
-              : measure(found, versions(i), sizes);
-      choices.add(choices(costs[i], found.size()));
+      measurements[i] = object;
+      nested |= object.nested();
+      choices.add(choices(object.costs(), found.size()));
+      places.addAll(object.places());
       first[i + 1] = places.size();
     }
-    localMiddles = sizes.stream().map(Size::localMiddle).toList();
-    radius = sizes.stream().mapToDouble(Size::radius).toArray();
-    disc = sizes.stream().mapToDouble(Size::disc).toArray();
-    x = new double[sizes.size()];
-    y = new double[sizes.size()];
-    z = new double[sizes.size()];
+    radius = places.stream().mapToDouble(MeasuredObject.Place::radius).toArray();
+    disc = places.stream().mapToDouble(MeasuredObject.Place::disc).toArray();
+    x = new double[places.size()];
+    y = new double[places.size()];
+    z = new double[places.size()];
     Arrays.fill(unexpected, 1);
     moved(tree);
-  }
-
-  private int versions(int object) {
-    return objects.get(object).versions();
   }
 
   /**
@@ -137,87 +119,18 @@ public final class ObjectPlaces {
     return new ObjectPlaces(now, tree, nodes, this);
   }
 
-  /** Returns the numbers of the objects whose instances are still those that were measured. */
-  private Map<Node, Integer> unchanged(Set<Node> switchesNow, InstanceTree tree) {
-    Map<Node, Integer> unchanged = new IdentityHashMap<>();
-    if (nested || !switches.equals(switchesNow)) {
-      return unchanged; // A version may have another object inside, or one less.
-    }
+  private Map<Node, MeasuredObject> known() {
+    Map<Node, MeasuredObject> known = new IdentityHashMap<>();
     for (int i = 0; i < switchNodes.length; i++) {
-      List<Instance> now = tree.instances(switchNodes[i]);
-      boolean same = now.size() == instances[i].length;
-      for (int place = 0; same && place < now.size(); place++) {
-        same =
-            now.get(place) == instances[i][place]
-                && ((GroupInstance) now.get(place)).restructured() <= structure;
-      }
-      if (same) {
-        unchanged.put(switchNodes[i], i);
-      }
+      known.put(switchNodes[i], measurements[i]);
     }
-    return unchanged;
+    return known;
   }
 
-  private long[] takeOver(ObjectPlaces before, int object, List<Size> sizes) {
-    for (int place = before.first[object]; place < before.first[object + 1]; place++) {
-      places.add(before.places.get(place));
-      sizes.add(
-          new Size(before.radius[place], before.disc[place], before.localMiddles.get(place)));
-    }
-    return before.costs[object];
-  }
-
-  /** Adds an object's places and their sizes; returns the triangles of its versions. */
-  private long[] measure(List<Instance> found, int versions, List<Size> sizes) {
-    measured++;
-    long[] triangles = new long[versions];
-    for (Instance instance : found) {
-      List<Instance> children = ((GroupInstance) instance).children();
-      BoundingBox all = BoundingBox.EMPTY;
-      for (int version = 0; version < Math.min(versions, children.size()); version++) {
-        // An object inside an object is chosen for itself.
-        SubtreeMeasurement measured =
-            SubtreeMeasurement.of(
-                children.get(version),
-                node -> {
-                  boolean inner = switches.contains(node);
-                  nested |= inner;
-                  return inner;
-                });
-        triangles[version] += measured.triangles();
-        all = all.union(measured.bounds());
-      }
-      if (!all.isEmpty()) {
-        places.add(instance);
-        sizes.add(size(instance, all));
-      }
-    }
-    return triangles;
-  }
-
-  private static VersionChoices choices(long[] costs, int places) {
+  private static VersionChoices choices(List<Long> costs, int places) {
     return new VersionChoices(
-        Arrays.stream(costs).boxed().toList(),
-        Arrays.stream(costs)
-            .mapToObj(cost -> VersionLoss.ofTriangles(cost / Math.max(1, places)))
-            .toList());
-  }
-
-  /**
-   * Returns the size of an object by its box: the mean shadow of a convex body is a quarter of its
-   * surface (Cauchy).
-   */
-  private static Size size(Instance place, BoundingBox box) {
-    double w = box.width();
-    double h = box.height();
-    double d = box.depth();
-    Vector3d middle = box.min().add(box.max()).mul(0.5);
-    Matrix4d inverse = place.world().invert(new Matrix4d());
-    return new Size(
-        Math.sqrt(w * w + h * h + d * d) / 2,
-        Math.sqrt((w * h + h * d + d * w) / 2 / Math.PI),
-        // Under a scale of 0 the object has no extent either, and stays where it is.
-        inverse.isFinite() ? inverse.transformPosition(middle) : middle);
+        costs,
+        costs.stream().map(cost -> VersionLoss.ofTriangles(cost / Math.max(1, places))).toList());
   }
 
   /** Moves the objects to where their instances are now. */
@@ -225,7 +138,8 @@ public final class ObjectPlaces {
     placement = tree.placementVersion();
     Vector3d middle = new Vector3d();
     for (int place = 0; place < x.length; place++) {
-      places.get(place).world().transformPosition(localMiddles.get(place), middle);
+      MeasuredObject.Place at = places.get(place);
+      at.instance().world().transformPosition(at.localMiddle(), middle);
       x[place] = middle.x;
       y[place] = middle.y;
       z[place] = middle.z;
@@ -254,13 +168,14 @@ public final class ObjectPlaces {
 
   /** Returns the triangles of a version; 0 for none. */
   public long cost(int object, int version) {
-    return version >= 0 && version < costs[object].length ? costs[object][version] : 0;
+    List<Long> costs = measurements[object].costs();
+    return version >= 0 && version < costs.size() ? costs.get(version) : 0;
   }
 
   /** Returns the triangles of the version that has most. */
   public long mostCost(int object) {
     long most = 0;
-    for (long cost : costs[object]) {
+    for (long cost : measurements[object].costs()) {
       most = Math.max(most, cost);
     }
     return most;
@@ -292,7 +207,7 @@ public final class ObjectPlaces {
 
   /** Returns the number of places of an object. */
   int count(int object) {
-    return instances[object].length;
+    return measurements[object].instances().size();
   }
 
   /** Returns whether a version contains another object, so that a choice shows or hides it. */
@@ -302,7 +217,7 @@ public final class ObjectPlaces {
 
   /** Returns whether an object is shown anywhere, in whatever version. */
   boolean shown(int object) {
-    for (Instance instance : instances[object]) {
+    for (Instance instance : measurements[object].instances()) {
       if (instance.shown()) {
         return true;
       }
