@@ -95,7 +95,9 @@ class ModelScenesTest extends CommandTestCase {
 
     assertThat(execute("polygons", scene.toString())).as(messages()).isZero();
 
-    assertThat(printed()).containsPattern("as loaded +1 ").contains("1 polygons; no object is enriched");
+    assertThat(printed())
+        .containsPattern("as loaded +1 ")
+        .contains("1 polygons; no object is enriched");
   }
 
   @Test

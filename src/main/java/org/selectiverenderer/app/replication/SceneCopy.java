@@ -52,9 +52,7 @@ record SceneCopy(Path scene, Path folder) {
                 PackageLayout.around(around),
                 () -> false)
             .collect(
-                source,
-                DocumentFile.open(source).document().snapshot(),
-                folder.relativize(copy));
+                source, DocumentFile.open(source).document().snapshot(), folder.relativize(copy));
     all.left()
         .forEach(
             left ->

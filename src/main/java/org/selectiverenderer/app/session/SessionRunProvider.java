@@ -267,8 +267,7 @@ final class SessionRunProvider implements RunSequence.Runs {
 
   private RunSettings settings(SessionStep step, Path scene, Optional<HeadLogSettings> log) {
     Study study = session.material().study();
-    TrialSettings group =
-        session.group().map(StudyGroup::settings).orElse(TrialSettings.NONE);
+    TrialSettings group = session.group().map(StudyGroup::settings).orElse(TrialSettings.NONE);
     return settings(
         step,
         scene,

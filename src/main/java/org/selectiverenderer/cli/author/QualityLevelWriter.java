@@ -86,8 +86,7 @@ record QualityLevelWriter(Console console, boolean dry, Path scene, Path output)
   private static boolean hasSchemas(DocumentFile file, String name, NodeCatalogue catalogue) {
     EnrichedSwitch node =
         new DocumentEnrichment(file.document(), catalogue).switchesByName().get(name);
-    return node != null
-        && node.values().stream().anyMatch(choice -> !choice.schemas().isEmpty());
+    return node != null && node.values().stream().anyMatch(choice -> !choice.schemas().isEmpty());
   }
 
   private static Path folder(Path file) {

@@ -95,7 +95,12 @@ class EnrichCommandTest {
     Path ratings = folder.resolve("r.csv");
     Files.writeString(ratings, "object,schema,rating\nCup,DeskSchema,3\n");
     assertThat(
-            run("enrich", scene.toString(), "--ratings", ratings.toString(), "--rating-scale",
+            run(
+                "enrich",
+                scene.toString(),
+                "--ratings",
+                ratings.toString(),
+                "--rating-scale",
                 "linear"))
         .as(err)
         .isZero();

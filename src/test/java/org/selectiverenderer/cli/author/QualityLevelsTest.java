@@ -309,7 +309,14 @@ class QualityLevelsTest {
         .contains("--shading makes 2 levels with the object as it is")
         .doesNotContain("in two runs");
     versions(
-        "--object", "Sofa", "--texture-percent", "50,25", "--shading", "flat", "--schemas", "A,B,C");
+        "--object",
+        "Sofa",
+        "--texture-percent",
+        "50,25",
+        "--shading",
+        "flat",
+        "--schemas",
+        "A,B,C");
     assertThat(err).contains("make --texture-percent and --shading in two runs");
     versions("--object", "Sofa", "--shading", "flat", "--vert-percent", "20");
     assertThat(err).contains("are a run of their own");

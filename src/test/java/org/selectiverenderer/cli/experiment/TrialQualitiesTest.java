@@ -84,7 +84,8 @@ class TrialQualitiesTest extends CommandTestCase {
       String step = end.path("step").asText();
       for (JsonNode event : events("scene")) {
         JsonNode what = event.path("what");
-        if (event.path("step").asText().equals(step) && what.path("event").asText().equals("start")) {
+        if (event.path("step").asText().equals(step)
+            && what.path("event").asText().equals("start")) {
           shown.add(end.path("qualities") + " " + what.at("/fields/Lamp/Sun.on"));
         }
       }
@@ -105,7 +106,8 @@ class TrialQualitiesTest extends CommandTestCase {
            "trial": [{"show": "exposure", "seconds": 0.2}]}]}
         """);
     assertThat(shown())
-        .containsExactly("{\"light\":\"low\",\"textures\":\"high\"} 1", "{\"textures\":\"high\"} 0");
+        .containsExactly(
+            "{\"light\":\"low\",\"textures\":\"high\"} 1", "{\"textures\":\"high\"} 0");
   }
 
   @Test

@@ -93,7 +93,6 @@ class MillisecondsBudgetTest extends CommandTestCase {
 
   @Test
   void aTimeThatEveryFrameKeepsLeavesTheLargest() throws IOException {
-    assertThat(polygons("ms:5000"))
-        .containsExactly(OBJECTS * HIGH, OBJECTS * HIGH, OBJECTS * HIGH);
+    assertThat(polygons("ms:5000")).containsExactly(OBJECTS * HIGH, OBJECTS * HIGH, OBJECTS * HIGH);
   }
 }

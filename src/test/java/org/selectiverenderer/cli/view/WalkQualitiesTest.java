@@ -43,7 +43,8 @@ class WalkQualitiesTest extends CommandTestCase {
   @Test
   void asJson() throws IOException {
     assertThat(simulate("--format", "json"))
-        .contains("\"qualities\":{\"textures\":{\"fields\":1,\"levels\":[{\"level\":0,\"seconds\":3.0")
+        .contains(
+            "\"qualities\":{\"textures\":{\"fields\":1,\"levels\":[{\"level\":0,\"seconds\":3.0")
         .contains("\"level\":1,\"seconds\":1.0,\"end\":1}]}");
   }
 
@@ -55,9 +56,8 @@ class WalkQualitiesTest extends CommandTestCase {
 
   @Test
   void scenesWithoutFieldsSayNothingOfThem() throws IOException {
-    Path scene = Files.writeString(folder.resolve("empty.x3d"), "<X3D><Scene><Viewpoint/></Scene></X3D>");
-    assertThat(simulate(scene, "--format", "json"))
-        .contains("\"end\"")
-        .doesNotContain("qualities");
+    Path scene =
+        Files.writeString(folder.resolve("empty.x3d"), "<X3D><Scene><Viewpoint/></Scene></X3D>");
+    assertThat(simulate(scene, "--format", "json")).contains("\"end\"").doesNotContain("qualities");
   }
 }

@@ -26,7 +26,8 @@ final class LineJoiner {
 
   private void add(String line) {
     String text = end.isEmpty() ? line.strip() : line;
-    boolean between = end.isEmpty() && endsWithElement() && (text.isEmpty() || text.startsWith("<"));
+    boolean between =
+        end.isEmpty() && endsWithElement() && (text.isEmpty() || text.startsWith("<"));
     if (!between) {
       joined.append('\n');
     }

@@ -12,8 +12,7 @@ class JoinedLinesTest {
   private static String inserted(String... lines) throws IOException {
     SceneDocument document =
         SceneDocument.of(
-            "scene.x3d",
-            "<X3D><Scene><Group/></Scene></X3D>".getBytes(StandardCharsets.UTF_8));
+            "scene.x3d", "<X3D><Scene><Group/></Scene></X3D>".getBytes(StandardCharsets.UTF_8));
     var scene = document.tree().orElseThrow().scene().orElseThrow();
     document.perform(
         new Edit("test", List.of(document.layout().insertLast(scene, List.of(lines)))));
@@ -38,8 +37,14 @@ class JoinedLinesTest {
   void programsAndCommentsKeepTheirLines() throws IOException {
     assertThat(
             inserted(
-                "<Script><![CDATA[ecmascript:", "  // why", "  a > b;", "]]>", "</Script>",
-                "<!-- one", "  > two -->", "<Group/>"))
+                "<Script><![CDATA[ecmascript:",
+                "  // why",
+                "  a > b;",
+                "]]>",
+                "</Script>",
+                "<!-- one",
+                "  > two -->",
+                "<Group/>"))
         .isEqualTo(
             "<Script><![CDATA[ecmascript:\n  // why\n  a > b;\n]]></Script>"
                 + "<!-- one\n  > two --><Group/>");

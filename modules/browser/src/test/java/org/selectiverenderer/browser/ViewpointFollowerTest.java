@@ -172,8 +172,7 @@ class ViewpointFollowerTest {
 
   @Test
   void aViewpointThatComesInAGroupThatCameInTheSameFrameIsOffered() {
-    try (WorldFixture fixture =
-        new WorldFixture("<Viewpoint position='1 0 0'/><Group DEF='G'/>")) {
+    try (WorldFixture fixture = new WorldFixture("<Viewpoint position='1 0 0'/><Group DEF='G'/>")) {
       fixture.step(0);
       Node viewpoint = fixture.make("Viewpoint");
       Node group = fixture.make("Group");

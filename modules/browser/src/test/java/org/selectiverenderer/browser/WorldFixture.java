@@ -58,9 +58,7 @@ final class WorldFixture implements AutoCloseable {
   }
 
   Node make(String type) {
-    return loader
-        .factory()
-        .make(loader.catalogue().get(type), null, SourceLocation.of("test.x3d"));
+    return loader.factory().make(loader.catalogue().get(type), null, SourceLocation.of("test.x3d"));
   }
 
   void send(String node, String field, @Nullable Object value) {

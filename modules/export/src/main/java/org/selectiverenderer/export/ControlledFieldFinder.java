@@ -45,9 +45,7 @@ final class ControlledFieldFinder {
 
   /** Returns the fields that are qualities of an object, in the order of its metadata. */
   List<ControlledField> of(EnrichedSwitch object) {
-    return object.qualities().stream()
-        .flatMap(quality -> field(object, quality).stream())
-        .toList();
+    return object.qualities().stream().flatMap(quality -> field(object, quality).stream()).toList();
   }
 
   private Optional<ControlledField> field(EnrichedSwitch object, FieldQuality quality) {
@@ -92,8 +90,7 @@ final class ControlledFieldFinder {
 
   private Optional<ControlledField> left(
       FieldReference target, SourceLocation location, String reason) {
-    problems.warning(
-        location, "%s keeps its value in the export: %s".formatted(target, reason));
+    problems.warning(location, "%s keeps its value in the export: %s".formatted(target, reason));
     return Optional.empty();
   }
 

@@ -216,8 +216,7 @@ final class ControllerScript {
       ControlledField field = nodes.fields().get(i);
       lines.add(route(def, "value" + i, field.target().node(), field.target().field()));
       if (field.routed()) {
-        lines.add(
-            route(field.target().node(), field.target().field(), def, "valueChanged" + i));
+        lines.add(route(field.target().node(), field.target().field(), def, "valueChanged" + i));
       }
     }
     return lines;

@@ -66,8 +66,7 @@ class ControllerScriptTest {
   private static SceneDocument exported(String scene, Condition condition, int seed)
       throws IOException {
     SceneDocument document = SceneDocument.of("scene.x3d", scene.getBytes(StandardCharsets.UTF_8));
-    ControlledNodes nodes =
-        nodes(document);
+    ControlledNodes nodes = nodes(document);
     List<String> lines = new ControllerScript(nodes, "SchemaController").lines(condition, seed);
     var root = document.tree().orElseThrow().scene().orElseThrow();
     document.perform(new Edit("export", List.of(document.layout().insertLast(root, lines))));
@@ -135,11 +134,7 @@ class ControllerScriptTest {
       return List.of();
     }
     SceneDocument document = SceneDocument.of("scene.x3d", scene.getBytes(StandardCharsets.UTF_8));
-    return nodes(document)
-        .objects()
-        .stream()
-        .map(ControlledNodes.VersionedObject::def)
-        .toList();
+    return nodes(document).objects().stream().map(ControlledNodes.VersionedObject::def).toList();
   }
 
   @ParameterizedTest
@@ -180,8 +175,7 @@ class ControllerScriptTest {
     String scene = Files.readString(Path.of("scenes/trashcan.x3d"));
     scene = bare(scene);
     SceneDocument document = SceneDocument.of("scene.x3d", scene.getBytes(StandardCharsets.UTF_8));
-    ControlledNodes nodes =
-        nodes(document);
+    ControlledNodes nodes = nodes(document);
     List<String> lines = new ControllerRoutes(nodes, name -> name).lines();
     var root = document.tree().orElseThrow().scene().orElseThrow();
     document.perform(new Edit("export", List.of(document.layout().insertLast(root, lines))));
@@ -272,7 +266,8 @@ class ControllerScriptTest {
     ProblemCollector problems = new ProblemCollector();
 
     assertThat(
-            new ControllerRoutes(ControlledNodes.of(enrichment, NodeCatalogue.load(), problems), name -> name)
+            new ControllerRoutes(
+                    ControlledNodes.of(enrichment, NodeCatalogue.load(), problems), name -> name)
                 .decided(AreaLocator.of(enrichment), problems))
         .isFalse();
     assertThat(problems.list())

@@ -135,23 +135,44 @@ class FieldScriptTest {
                 level("low", "hall", "\"../pictures/wood.png\""),
                 level("0.5", "kitchen", "\"../pictures/wood_50.png\" \"../pictures/wood.png\""),
                 level("high", "desk", "\"../pictures/wood_25.png\"")),
-            quality("shading", "Shading.value", level("low", "", "\"pixel\""),
+            quality(
+                "shading",
+                "Shading.value",
+                level("low", "", "\"pixel\""),
                 level("high", "", "\"flat\" \"vertex\"")),
-            quality("light", "Lamp.intensity", level("low", "hall", "\"0.75\""),
+            quality(
+                "light",
+                "Lamp.intensity",
+                level("low", "hall", "\"0.75\""),
                 level("high", "kitchen", "\"0.25\"")))
         + object("Switch_Sun", string("quality", "\"light\"") + versions)
         + object(
             "Switch_Plain",
             "",
-            quality("light", "Lamp.on", level("low", "kitchen", "\"true\""),
+            quality(
+                "light",
+                "Lamp.on",
+                level("low", "kitchen", "\"true\""),
                 level("high", "desk", "\"false\"")),
-            quality("shading", "Gloss.shininess", level("low", "desk", "\"0.5\""),
+            quality(
+                "shading",
+                "Gloss.shininess",
+                level("low", "desk", "\"0.5\""),
                 level("high", "kitchen", "\"0.125\"")),
-            quality("light", "Gloss.emissiveColor", level("low", "hall", "\"0 0 0\""),
+            quality(
+                "light",
+                "Gloss.emissiveColor",
+                level("low", "hall", "\"0 0 0\""),
                 level("high", "kitchen", "\"0.5 0.25\" \"1\"")),
-            quality("animation", "Rate.value", level("low", "hall", "\"60\""),
+            quality(
+                "animation",
+                "Rate.value",
+                level("low", "hall", "\"60\""),
                 level("high", "desk", "\"4 5\"")),
-            quality("light", "Shadow.whichChoice", level("low", "hall", "\"0\""),
+            quality(
+                "light",
+                "Shadow.whichChoice",
+                level("low", "hall", "\"0\""),
                 level("high", "desk", "\"-1\"")))
         + "<Shape><Appearance>"
         + "<MetadataString DEF='Shading' containerField='metadata' value='\"pixel\"'/>"
@@ -300,7 +321,10 @@ class FieldScriptTest {
         object(
                 "Switch_Lamp",
                 "",
-                quality("light", "Lamp.on", level("low", "hall", "\"true\""),
+                quality(
+                    "light",
+                    "Lamp.on",
+                    level("low", "hall", "\"true\""),
                     level("high", "desk", "\"false\"")))
             + "<DirectionalLight DEF='Lamp'/>";
     Files.writeString(
@@ -313,7 +337,9 @@ class FieldScriptTest {
             + "<Inline url='\"room.x3d\"'/><Inline url='\"room.x3d\"'/></Scene></X3D>";
 
     List<List<String>> values =
-        walk(exported(house, SceneFormat.XML, Condition.SELECTIVE), null,
+        walk(
+            exported(house, SceneFormat.XML, Condition.SELECTIVE),
+            null,
             List.of("Lamp.on", "Lamp_2.on"));
 
     assertThat(values.get(2)).containsExactly("Lamp.on true", "Lamp_2.on true");
@@ -331,8 +357,7 @@ class FieldScriptTest {
             + "</Scene>";
     String text = scene().replace("</Scene>", clicks);
 
-    assertThat(
-            walk(exported(text, SceneFormat.XML, Condition.SELECTIVE), null, List.of("Lamp.on")))
+    assertThat(walk(exported(text, SceneFormat.XML, Condition.SELECTIVE), null, List.of("Lamp.on")))
         .isEqualTo(walk(write(text), Condition.SELECTIVE, List.of("Lamp.on")));
   }
 

@@ -6,8 +6,8 @@ import org.web3d.x3d.sai.X3DNode;
 
 /**
  * Tells changes of a node's metadata at every depth. By the standard whoever wants to hear of them
- * adds a listener to each field of each metadata node, of which a scene may have a hundred thousand.
- * A browser that tells them implements this interface in addition to {@link
+ * adds a listener to each field of each metadata node, of which a scene may have a hundred
+ * thousand. A browser that tells them implements this interface in addition to {@link
  * org.web3d.x3d.sai.ExternalBrowser}.
  */
 public interface MetadataChangeAccess {

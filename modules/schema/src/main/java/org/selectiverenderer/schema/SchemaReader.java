@@ -64,8 +64,7 @@ public final class SchemaReader {
     compare(metadata, sets, children);
     VersionMetadataReader reader = new VersionMetadataReader(problems);
     boolean shown =
-        sets.stream()
-            .anyMatch(set -> SchemaMetadata.of(set).has(SchemaField.SCHEMA_BELONGINESS));
+        sets.stream().anyMatch(set -> SchemaMetadata.of(set).has(SchemaField.SCHEMA_BELONGINESS));
     List<VersionMetadata> choices = new ArrayList<>();
     for (int i = 0; i < Math.min(sets.size(), children); i++) {
       choices.add(reader.read(i, sets.get(i), shown));

@@ -164,14 +164,7 @@ public final class QualityVersionsEdit {
     QualityLevels textures =
         request.percents().isEmpty()
             ? none
-            : new TextureLevels(
-                    copy,
-                    names,
-                    folder(),
-                    urls,
-                    scaler,
-                    others,
-                    problems)
+            : new TextureLevels(copy, names, folder(), urls, scaler, others, problems)
                 .of(element, request.percents(), request.schemas(), name);
     return request.shading().isEmpty()
         ? textures

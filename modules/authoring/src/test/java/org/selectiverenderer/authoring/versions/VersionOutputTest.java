@@ -18,9 +18,8 @@ class VersionOutputTest extends VaseScene {
   private static final SimplificationTarget TENTH = new SimplificationTarget.VertexPercent(10);
 
   private void write(Path scene, String output, SimplificationTarget... goals) throws IOException {
-    plan(
-            new VersionsEdit.Request(
-                scene, "Vase", List.of(goals), folder.resolve(output), "inlineNodes"))
+    plan(new VersionsEdit.Request(
+            scene, "Vase", List.of(goals), folder.resolve(output), "inlineNodes"))
         .orElseThrow()
         .write();
   }
@@ -42,7 +41,8 @@ class VersionOutputTest extends VaseScene {
     assertThat(Files.readString(folder.resolve("other.x3d")))
         .contains("\"inlineNodes/Vase_v1.x3d\"", "\"inlineNodes/Vase2_v2.x3d\"")
         .doesNotContain("inlineNodes/Vase_v2");
-    assertThat(polygons("inlineNodes/Vase2_v2.x3d")).isLessThan(polygons("inlineNodes/Vase_v2.x3d"));
+    assertThat(polygons("inlineNodes/Vase2_v2.x3d"))
+        .isLessThan(polygons("inlineNodes/Vase_v2.x3d"));
     assertThat(problems.list().toString()).contains("scene.x3d", "Vase2_v2.x3d");
   }
 
@@ -120,8 +120,10 @@ class VersionOutputTest extends VaseScene {
     Files.createDirectories(folder.resolve("copy/inlineNodes"));
     Path own = Files.writeString(folder.resolve("copy/inlineNodes/Vase_v2.x3d"), "<X3D/>");
 
-    assertThat(plan(new VersionsEdit.Request(
-            scene, "Vase", List.of(TENTH), folder.resolve("copy/one.x3d"), "inlineNodes")))
+    assertThat(
+            plan(
+                new VersionsEdit.Request(
+                    scene, "Vase", List.of(TENTH), folder.resolve("copy/one.x3d"), "inlineNodes")))
         .isEmpty();
 
     assertThat(own).hasContent("<X3D/>");

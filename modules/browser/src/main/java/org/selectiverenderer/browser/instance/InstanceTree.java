@@ -53,6 +53,7 @@ public final class InstanceTree {
       Math.min(MAX_INSTANCES, Runtime.getRuntime().maxMemory() / BYTES_PER_INSTANCE);
   private final AssetProvider assets;
   private final GroupInstance root;
+
   /** The reading that Shapes of the same template share if they are added at the same time. */
   private final Map<NodeTemplate, ShapeReading> readings = new IdentityHashMap<>();
 

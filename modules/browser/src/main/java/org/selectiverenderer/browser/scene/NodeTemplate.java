@@ -34,8 +34,8 @@ public final class NodeTemplate {
   }
 
   /**
-   * Sets what makes the nodes in copies that have only those of the file. Not before there is such a
-   * copy, as the maker keeps the nodes of the file.
+   * Sets what makes the nodes in copies that have only those of the file. Not before there is such
+   * a copy, as the maker keeps the nodes of the file.
    */
   public void parts(PartMaker maker) {
     parts = maker;

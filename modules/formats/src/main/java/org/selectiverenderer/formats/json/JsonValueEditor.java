@@ -58,8 +58,9 @@ public final class JsonValueEditor {
         edited(
             text,
             parser -> {
-              boolean root = parser.getParsingContext().getParent() != null
-                  && parser.getParsingContext().getParent().inRoot();
+              boolean root =
+                  parser.getParsingContext().getParent() != null
+                      && parser.getParsingContext().getParent().inRoot();
               boolean meant =
                   root && parser.currentToken().isNumeric() && key.equals(parser.currentName());
               found[0] |= meant;

@@ -111,7 +111,8 @@ final class CrossedEffectsModel {
     for (int k = 0; k < objects; k++) {
       double[] row = between[k];
       int[] at = IntStream.range(0, width).filter(i -> row[i] != 0).toArray();
-      all[k] = new Tie(at, IntStream.of(at).mapToDouble(i -> row[i]).toArray(), diagonal[k], own[k]);
+      all[k] =
+          new Tie(at, IntStream.of(at).mapToDouble(i -> row[i]).toArray(), diagonal[k], own[k]);
     }
     return all;
   }

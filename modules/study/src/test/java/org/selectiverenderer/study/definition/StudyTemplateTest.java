@@ -36,7 +36,8 @@ class StudyTemplateTest {
     Files.copy(Path.of("scenes/apartment.x3d"), scenes.resolve("apartment.x3d"));
     Files.copy(Path.of("scenes/practice.x3d"), scenes.resolve("practice.x3d"));
 
-    Path study = StudyTemplate.write(folder.resolve("study"), scenes.resolve("apartment.x3d"), 9, 4);
+    Path study =
+        StudyTemplate.write(folder.resolve("study"), scenes.resolve("apartment.x3d"), 9, 4);
 
     assertThat(study)
         .content()

@@ -183,8 +183,7 @@ public final class VersionBudget {
     for (int i = 0; i < objects.size(); i++) {
       before.put(places.node(i), problem.choice(i));
     }
-    places =
-        now == tree ? places.after(choosable, now) : new ObjectPlaces(choosable, now, nodes);
+    places = now == tree ? places.after(choosable, now) : new ObjectPlaces(choosable, now, nodes);
     objects = choosable;
     tree = now;
     structure = now.structureVersion();

@@ -103,12 +103,7 @@ public final class TimelineText {
         t,
         "switch",
         "%s: choice %s -> %s%s%s"
-            .formatted(
-                s.switchName(),
-                s.from(),
-                s.to(),
-                by(s.cause()),
-                sight(s.seen())));
+            .formatted(s.switchName(), s.from(), s.to(), by(s.cause()), sight(s.seen())));
   }
 
   private String sight(Optional<SwitchVisibility> seen) {

@@ -80,8 +80,7 @@ final class ObjectView {
     VisibilityEstimator.Estimate points = points(exactly && hits > 0, exactly);
     double limit = count == 0 ? 0 : all * Math.min(1, (hits + UNSEEN) / (double) count);
     double pixels = points.pixels() > 0 || count == 0 ? points.pixels() : all * hits / count;
-    return new VisibilityEstimator.Estimate(
-        hits > 0 || points.visible(), Math.min(limit, pixels));
+    return new VisibilityEstimator.Estimate(hits > 0 || points.visible(), Math.min(limit, pixels));
   }
 
   /** Returns whether a ray through the n-th point of a part of the picture meets the object. */
@@ -138,9 +137,7 @@ final class ObjectView {
     Vector3d from = eye.parallel() ? onEyePlane(at) : new Vector3d(eye.eye());
     Vector3d ray = at.sub(from, new Vector3d());
     double distance = ray.length();
-    return distance == 0
-        ? Optional.empty()
-        : rays.first(from, ray, distance * (1 - END), object);
+    return distance == 0 ? Optional.empty() : rays.first(from, ray, distance * (1 - END), object);
   }
 
   private Vector3d onEyePlane(Vector3dc at) {

@@ -30,9 +30,10 @@ record PictureArea(double left, double bottom, double right, double top) {
     boolean any = false;
     for (double[] box : boxes) {
       double[] own = projected(box, toClip);
-      own = new double[] {
-        Math.max(-1, own[0]), Math.max(-1, own[1]), Math.min(1, own[2]), Math.min(1, own[3])
-      };
+      own =
+          new double[] {
+            Math.max(-1, own[0]), Math.max(-1, own[1]), Math.min(1, own[2]), Math.min(1, own[3])
+          };
       if (own[0] <= own[2] && own[1] <= own[3]) {
         any = true;
         all[0] = Math.min(all[0], own[0]);
@@ -41,9 +42,7 @@ record PictureArea(double left, double bottom, double right, double top) {
         all[3] = Math.max(all[3], own[3]);
       }
     }
-    return any
-        ? Optional.of(new PictureArea(all[0], all[1], all[2], all[3]))
-        : Optional.empty();
+    return any ? Optional.of(new PictureArea(all[0], all[1], all[2], all[3])) : Optional.empty();
   }
 
   /** Returns the bounds in the picture's plane; the least above the most if there are none. */

@@ -40,8 +40,8 @@ final class SightRays {
   }
 
   /**
-   * Returns the first shape of a tree on a ray that hides what is behind it, or that is of
-   * an object; empty for none.
+   * Returns the first shape of a tree on a ray that hides what is behind it, or that is of an
+   * object; empty for none.
    *
    * @param most length of the ray in world units; may be infinite
    */

@@ -107,8 +107,7 @@ final class VisibilityEstimator {
           continue;
         }
         ShownObject object =
-            new ShownObject(
-                layer.instances(), group, surface(group, shown), surface(group, other));
+            new ShownObject(layer.instances(), group, surface(group, shown), surface(group, other));
         for (Camera eye : eyes.of(layer)) {
           ObjectView view = new ObjectView(eye, object, rays, world.meshes());
           if (!view.enters()) {

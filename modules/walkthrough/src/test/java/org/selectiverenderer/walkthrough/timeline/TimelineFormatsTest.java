@@ -107,8 +107,7 @@ class TimelineFormatsTest {
                     2,
                     List.of(
                         new QualityLevels.Level(0, 7.5, 1), new QualityLevels.Level(1, 2.5, 1))),
-                new QualityLevels(
-                    Quality.LIGHT, 1, List.of(new QualityLevels.Level(-1, 5, 1)))));
+                new QualityLevels(Quality.LIGHT, 1, List.of(new QualityLevels.Level(-1, 5, 1)))));
     assertThat(text.line(end))
         .isEqualTo(
             "   5.000 s  end     301 frames; 1 polygons at the start, 1 at the end, 1 at most;"

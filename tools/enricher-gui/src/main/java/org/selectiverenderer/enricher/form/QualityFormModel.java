@@ -96,17 +96,13 @@ final class QualityFormModel {
 
   /** Returns what is wrong with the field that the document names; empty for nothing. */
   Optional<String> wrongTarget() {
-    return now()
-        .flatMap(now -> targets().wrong(element, now.field().target()))
-        .map(Remarks::shown);
+    return now().flatMap(now -> targets().wrong(element, now.field().target())).map(Remarks::shown);
   }
 
   String value(int level) {
     return now()
         .flatMap(
-            now ->
-                of(level)
-                    .map(of -> targets().shown(element, now.field().target(), of.values())))
+            now -> of(level).map(of -> targets().shown(element, now.field().target(), of.values())))
         .orElse("");
   }
 

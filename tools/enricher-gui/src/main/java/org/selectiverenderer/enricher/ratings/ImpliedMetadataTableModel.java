@@ -115,8 +115,7 @@ final class ImpliedMetadataTableModel extends RowTableModel<ImpliedMetadataTable
   private String band(Ratings.Mean mean) {
     if (model.scale() == RatingScale.LINEAR) {
       return Texts.of(
-          "ratings.scaled",
-          DecimalFormatter.fixed(RatingScale.degree(mean.value()), 2));
+          "ratings.scaled", DecimalFormatter.fixed(RatingScale.degree(mean.value()), 2));
     }
     return switch (mean.band()) {
       case NON_EXPECTANT -> Texts.of("ratings.unexpected");

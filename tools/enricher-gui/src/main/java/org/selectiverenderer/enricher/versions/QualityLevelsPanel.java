@@ -82,8 +82,7 @@ final class QualityLevelsPanel extends JPanel {
     Optional<List<Double>> sides = percents(percents.getText());
     List<String> words = shading();
     if (sides.isEmpty()) {
-      return Optional.of(
-          Texts.of("versions.levels.falling", String.valueOf(VersionsModel.MOST)));
+      return Optional.of(Texts.of("versions.levels.falling", String.valueOf(VersionsModel.MOST)));
     }
     if (sides.get().isEmpty() && words.isEmpty()) {
       return Optional.of(Texts.of("versions.levels.none"));

@@ -78,10 +78,7 @@ class SchemaSimulatorTest {
 
   @Test
   void fieldsThatAreQualitiesFollowTheSchemas(@TempDir Path dir) throws IOException {
-    Path scene =
-        Files.writeString(
-            dir.resolve("scene.x3d"),
-            FILE.formatted(SOFA));
+    Path scene = Files.writeString(dir.resolve("scene.x3d"), FILE.formatted(SOFA));
     ProblemCollector problems = new ProblemCollector();
     try (SceneLoader loader =
         new SceneLoader(NodeCatalogue.load(), new NodeFactory(), ReadLimits.standard(), problems)) {
@@ -108,8 +105,7 @@ class SchemaSimulatorTest {
     Files.writeString(dir.resolve("room.x3d"), FILE.formatted(SOFA));
     String text =
         FILE.formatted("<PointLight DEF='Lamp' intensity='0.5'/><Inline url='\"room.x3d\"'/>");
-    SceneDocument scene =
-        SceneDocument.of("scene.x3d", text.getBytes(StandardCharsets.UTF_8));
+    SceneDocument scene = SceneDocument.of("scene.x3d", text.getBytes(StandardCharsets.UTF_8));
     try (PreviewScene preview =
         new PreviewScene(LoadedPreview.of(scene.snapshot(), dir, ContentAccessPolicy.none()))) {
       SwitchNode sofa = preview.nodes().switches().iterator().next();

@@ -124,7 +124,8 @@ class RatingsDialogTest {
     for (int row = 0; row < table.getRowCount(); row++) {
       for (int column = 0; column < table.getColumnCount(); column++) {
         int needed =
-            table.prepareRenderer(table.getCellRenderer(row, column), row, column)
+            table
+                .prepareRenderer(table.getCellRenderer(row, column), row, column)
                 .getPreferredSize()
                 .width;
         if (needed > table.getCellRect(row, column, false).width) {

@@ -113,8 +113,7 @@ class QualityLevelsMakerTest {
   @Test
   void whatWasMadeAndWhatWasLeftOutIsSaid() throws IOException {
     wood();
-    assertThat(said(CHEST))
-        .isEqualTo("Levels of Switch_Chest made; new pictures: wood_50.png.");
+    assertThat(said(CHEST)).isEqualTo("Levels of Switch_Chest made; new pictures: wood_50.png.");
     String other =
         "<Shape><Appearance><ImageTexture url='\"http://localhost/x.png\"'/></Appearance></Shape>";
     assertThat(said("<Group>" + CHEST + other + "</Group>"))
