@@ -240,7 +240,8 @@ switching() { # OUT: at the begin, in the middle and at the end of a cross-fade,
     pictures+=("$tmp/fade-$n.png")
     n=$((n + 1))
   done
-  convert "${pictures[@]}" +append -depth 8 "$1"
+  convert "${pictures[@]}" +append "$tmp/fade.png"
+  small "$tmp/fade.png" "$1" -depth 8
 }
 
 labelled() { # FILE WORDS: words below a picture
@@ -478,7 +479,8 @@ take() { # NAME HOW
     enricher-cost.png) driven "$stem" "$to" 900x ;;
     enricher-compare.png) driven "$stem" "$to" 800x ;;
     enricher-handles.png) driven "$stem" "$to" 680x ;;
-    enricher-qualities.png | enricher-switch.png) driven "$stem" "$to" 438x ;;
+    enricher-qualities.png) driven "$stem" "$to" 438x -gravity north -crop 100%x85%+0+0 +repage ;;
+    enricher-switch.png) driven "$stem" "$to" 438x ;;
     enricher-*)
       if [ "$how" = dialogs ]; then
         fromTest org.selectiverenderer.enricher.robot.PicturesTest "${stem#*-}-light-200" "$to" 1100x
@@ -516,9 +518,9 @@ monado() { # WHAT .ci/openxr does; its reason where it cannot
   return "$status"
 }
 
-driven() { # NAME OUT WIDTH: the enricher's window
+driven() { # NAME OUT WIDTH OPTIONS...: the enricher's window
   tested EnricherPictures 2 "-Dpictures=$driving"
-  small "target/pictures/$1.png" "$2" -resize "$3" +dither -colors 255
+  small "target/pictures/$1.png" "$2" "${@:4}" -resize "$3" +dither -colors 255
 }
 
 plotted() { # CLASS OPTION NAME: written in docs/pictures by a test

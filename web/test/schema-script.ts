@@ -39,6 +39,9 @@ export class Controller {
       most: [],
       least: [],
       highLow: [],
+      lotLengths: [objects.length],
+      lotMembers: objects.map((_, number) => number),
+      lotSeeds: [0],
       send: (object: number, choice: number) => { this.sent.set(object, choice); },
       ...fields,
     });

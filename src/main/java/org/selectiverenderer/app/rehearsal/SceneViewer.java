@@ -26,7 +26,7 @@ final class SceneViewer {
     Walkthrough walk =
         Walkthrough.open(
             view.scene(),
-            new SelectiveController.Settings(view.condition(), seed),
+            new SelectiveController.Settings(view.condition(), seed).with(view.qualities()),
             access,
             problem,
             event -> {},

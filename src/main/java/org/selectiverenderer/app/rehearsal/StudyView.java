@@ -10,6 +10,8 @@ import java.util.Set;
 import java.util.StringJoiner;
 import java.util.TreeMap;
 import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.schema.Quality;
+import org.selectiverenderer.schema.QualityRule;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.design.StudyGroup;
 import org.selectiverenderer.study.design.Trial;
@@ -23,11 +25,18 @@ import org.selectiverenderer.study.design.TrialSequencer;
  * @param step name of the area or block, or {@code practice}
  * @param viewpoint DEF of the Viewpoint; empty for the first of the scene
  * @param choices the {@code whichChoice} of Switches by DEF
+ * @param qualities what decides the levels of qualities, where the condition does not
  */
 record StudyView(
-    String step, Path scene, String viewpoint, Condition condition, Map<String, Integer> choices) {
+    String step,
+    Path scene,
+    String viewpoint,
+    Condition condition,
+    Map<String, Integer> choices,
+    Map<Quality, QualityRule> qualities) {
 
   StudyView {
+    qualities = Map.copyOf(qualities);
     choices = Map.copyOf(choices);
   }
 
@@ -44,7 +53,8 @@ record StudyView(
                         practice.scene(),
                         practice.viewpoint(),
                         Condition.HIGH,
-                        Map.of())));
+                        Map.of(),
+                        study.qualities())));
     for (StudyGroup group : study.design().groups()) {
       if (study.design().blocks().isEmpty()) {
         for (Study.Area area : study.areas()) {
@@ -58,7 +68,8 @@ record StudyView(
                               scene,
                               area.viewpoint(),
                               group.condition(),
-                              group.settings().choices())));
+                              group.settings().choices(),
+                              study.qualities(group.settings()))));
         }
       }
       for (TrialBlock block : study.design().blocks()) {
@@ -95,7 +106,8 @@ record StudyView(
               study.scene(trial).get(),
               study.viewpoint(trial).orElse(""),
               trial.settings().condition().orElse(Condition.HIGH),
-              own));
+              own,
+              study.qualities(trial.settings())));
     }
   }
 
@@ -113,6 +125,8 @@ record StudyView(
       title.add("from " + viewpoint);
     }
     new TreeMap<>(choices).forEach((name, choice) -> title.add(name + " = " + choice));
+    new TreeMap<>(qualities)
+        .forEach((quality, rule) -> title.add(quality.spelling() + " " + rule.spelling()));
     return title.toString();
   }
 }

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import org.selectiverenderer.app.head.HeadSampleListener;
 import org.selectiverenderer.app.metrics.RunMetrics;
@@ -29,11 +30,14 @@ import org.selectiverenderer.hmd.DisplayConfiguration;
 import org.selectiverenderer.hmd.HeadsetViewSettings;
 import org.selectiverenderer.openxr.HeadsetEvent;
 import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.schema.Quality;
+import org.selectiverenderer.schema.QualityRule;
 import org.selectiverenderer.study.definition.SessionFlag;
 import org.selectiverenderer.study.definition.Study;
 import org.selectiverenderer.study.design.BlockProgress;
 import org.selectiverenderer.study.design.StudyGroup;
 import org.selectiverenderer.study.design.Trial;
+import org.selectiverenderer.study.design.TrialSettings;
 import org.selectiverenderer.study.session.ExperimenterControls;
 import org.selectiverenderer.study.session.Session;
 import org.selectiverenderer.study.session.SessionStep;
@@ -158,7 +162,8 @@ final class SessionRunProvider implements RunSequence.Runs {
                         trial.settings().condition().orElse(Condition.SELECTIVE),
                         lot() + trial.number(),
                         trial.settings().choices())
-                    .with(trial.settings().transition().orElse(study.transition())),
+                    .with(trial.settings().transition().orElse(study.transition()))
+                    .with(study.qualities(trial.settings())),
                 display(trial),
                 Optional.of(new HeadLogSettings(log))),
             listener,
@@ -261,16 +266,16 @@ final class SessionRunProvider implements RunSequence.Runs {
   }
 
   private RunSettings settings(SessionStep step, Path scene, Optional<HeadLogSettings> log) {
+    Study study = session.material().study();
+    TrialSettings group =
+        session.group().map(StudyGroup::settings).orElse(TrialSettings.NONE);
     return settings(
         step,
         scene,
         new SelectiveController.Settings(
                 session.group().map(StudyGroup::condition).orElse(Condition.HIGH), lot())
-            .with(
-                session
-                    .group()
-                    .flatMap(group -> group.settings().transition())
-                    .orElse(session.material().study().transition())),
+            .with(group.transition().orElse(study.transition()))
+            .with(study.qualities(group)),
         show.presentation().withIpd(session.ipd() / 1000),
         log);
   }
@@ -400,6 +405,12 @@ final class SessionRunProvider implements RunSequence.Runs {
   private Map<String, Object> figures(SessionStep step, RunRequest run, RunMetrics figures) {
     Map<String, Object> more = new LinkedHashMap<>();
     more.put("condition", run.settings().scene().rendering().condition().spelling());
+    Map<Quality, QualityRule> rules = run.settings().scene().rendering().qualities();
+    if (!rules.isEmpty()) {
+      Map<String, String> qualities = new TreeMap<>();
+      rules.forEach((quality, rule) -> qualities.put(quality.spelling(), rule.spelling()));
+      more.put("qualities", qualities);
+    }
     more.put("lot", run.settings().scene().rendering().seed());
     more.put("figures", read(figures.json()));
     more.put(

@@ -125,7 +125,7 @@ public final class SourceFormatter {
   /** Inserts an element before another one. */
   public TextEdit insertBefore(DocumentElement element, List<String> lines) {
     if (!onItsOwnLine(element)) {
-      return TextEdit.insert(element.start(), String.join("", stripped(lines)));
+      return TextEdit.insert(element.start(), LineJoiner.join(lines));
     }
     String separator = endOfLine(element) + indentation(element);
     return TextEdit.insert(element.start(), String.join(separator, lines) + separator);
@@ -134,7 +134,7 @@ public final class SourceFormatter {
   /** Inserts an element after another one. */
   public TextEdit insertAfter(DocumentElement element, List<String> lines) {
     if (!onItsOwnLine(element)) {
-      return TextEdit.insert(element.end(), String.join("", stripped(lines)));
+      return TextEdit.insert(element.end(), LineJoiner.join(lines));
     }
     String separator = endOfLine(element) + indentation(element);
     return TextEdit.insert(element.end(), separator + String.join(separator, lines));
@@ -146,14 +146,14 @@ public final class SourceFormatter {
     return new TextEdit(
         element.start(),
         element.end(),
-        onItsOwnLine(element) ? String.join(separator, lines) : String.join("", stripped(lines)));
+        onItsOwnLine(element) ? String.join(separator, lines) : LineJoiner.join(lines));
   }
 
   private TextEdit insertInto(DocumentElement into, int at, List<String> lines) {
     String outer = endOfLine(into) + indentation(into);
     String inner = outer + step(into);
     boolean laid = onItsOwnLine(into);
-    String body = laid ? inner + String.join(inner, lines) : String.join("", stripped(lines));
+    String body = laid ? inner + String.join(inner, lines) : LineJoiner.join(lines);
     if (!into.open()) {
       int tagStart = into.tag().end();
       String close = (laid ? outer : "") + "</" + written(into);
@@ -179,10 +179,6 @@ public final class SourceFormatter {
       end++;
     }
     return text.subSequence(element.start() + 1, end).toString();
-  }
-
-  private static List<String> stripped(List<String> lines) {
-    return lines.stream().map(String::strip).toList();
   }
 
   /** Removes an element, together with its line if the line contains nothing else. */

@@ -48,10 +48,11 @@ final class ChoiceQueue {
    * Shows the choices that wait and may be shown now, in the order in which they came.
    *
    * @param time time stamp in seconds
+   * @return whether there were any
    */
-  void showDue(double time) {
+  boolean showDue(double time) {
     if (waiting.isEmpty()) {
-      return;
+      return false;
     }
     Iterator<Map.Entry<ControlledChoice, Wanted>> all = waiting.entrySet().iterator();
     Map<ControlledChoice, Wanted> due = new LinkedHashMap<>();
@@ -64,6 +65,7 @@ final class ChoiceQueue {
       }
     }
     due.forEach((one, wanted) -> show(one, wanted.choice(), wanted.cause(), time));
+    return !due.isEmpty();
   }
 
   /** Shows a choice whether it may be seen or not. */

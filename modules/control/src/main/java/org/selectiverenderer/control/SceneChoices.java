@@ -228,9 +228,9 @@ final class SceneChoices {
     }
   }
 
-  /** Shows the choices that wait and may be shown now. */
-  void showDue(double now) {
-    queue.showDue(now);
+  /** Shows the choices that wait and may be shown now; returns whether there were any. */
+  boolean showDue(double now) {
+    return queue.showDue(now);
   }
 
   /** Returns the choices that wait, by the names of their Switches. */

@@ -3,6 +3,7 @@ package org.selectiverenderer.control;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -10,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
@@ -42,6 +44,7 @@ final class SceneController implements ControlledArea.Listener {
   private final Map<X3DNode, VersionedObject> objects = new LinkedHashMap<>();
   private final SceneChoices choices;
   private boolean started;
+  private long levelsVersion;
   private boolean nodesChanged;
   private boolean fieldsMissing;
   private double now;
@@ -159,6 +162,7 @@ final class SceneController implements ControlledArea.Listener {
         fieldsMissing |= object.fieldsMissing();
       }
     }
+    levelsVersion++;
     choices.setOut(found, objects.size(), true, now);
   }
 
@@ -213,7 +217,9 @@ final class SceneController implements ControlledArea.Listener {
   void showDue(double time) {
     now = Math.max(now, time);
     lookForFields();
-    choices.showDue(now);
+    if (choices.showDue(now)) {
+      levelsVersion++;
+    }
   }
 
   /** Returns the choices that wait, by the names of their Switches. */
@@ -259,9 +265,27 @@ final class SceneController implements ControlledArea.Listener {
     return levels;
   }
 
+  /** Returns the number of fields that have each level, by quality. */
+  Map<Quality, Map<Integer, Integer>> levelCounts() {
+    Map<Quality, Map<Integer, Integer>> counts = new EnumMap<>(Quality.class);
+    for (VersionedObject object : objects.values()) {
+      for (ControlledField field : object.fields()) {
+        counts
+            .computeIfAbsent(field.quality().quality(), quality -> new TreeMap<>())
+            .merge(field.shown(), 1, Integer::sum);
+      }
+    }
+    return counts;
+  }
+
+  long levelsVersion() {
+    return levelsVersion;
+  }
+
   @Override
   public void entered(ControlledArea area, double time) {
     now = time;
+    levelsVersion++;
     // A browser that delivers events late may still send the event of an entry that was already
     // read from the sensor.
     if (area.schemas().isPresent() && !choices.isEntered(area)) {
@@ -275,6 +299,7 @@ final class SceneController implements ControlledArea.Listener {
   @Override
   public void left(ControlledArea area, double time) {
     now = time;
+    levelsVersion++;
     if (area.schemas().isPresent() && choices.isEntered(area)) {
       nodesChanged |= fieldsMissing; // Names are given to nodes without an event.
       lookForFields();
@@ -286,6 +311,7 @@ final class SceneController implements ControlledArea.Listener {
   @Override
   public void metadataChanged(ControlledArea area, double time) {
     now = time;
+    levelsVersion++;
     boolean known = area.schemas().isPresent();
     List<ControlProblem> before = area.problems();
     area.read();
@@ -302,6 +328,7 @@ final class SceneController implements ControlledArea.Listener {
 
   private void objectChanged(VersionedObject object, double time) {
     now = time;
+    levelsVersion++;
     boolean known = object.schemas().isPresent();
     List<ControlProblem> before = object.problems();
     object.fields().forEach(choices::forget);
@@ -344,6 +371,7 @@ final class SceneController implements ControlledArea.Listener {
 
   /** Records the value of a field that others have set; it stays until the next activation. */
   private void levelChanged(ControlledField field, int from, double time) {
+    levelsVersion++;
     if (!settings.controls()) {
       now = time;
       events.accept(field.change(time, from, field.shown(), ChoiceCause.SCENE, Optional.empty()));
@@ -353,6 +381,7 @@ final class SceneController implements ControlledArea.Listener {
 
   private void changed(List<Found> found, List<X3DNode> lost, double time) {
     now = time;
+    levelsVersion++;
     choices.objectsChanged();
     found.forEach(one -> names.add(one.node(), one.scope()));
     List<ControlledArea> foundAreas = new ArrayList<>();

@@ -133,6 +133,7 @@ public final class SelectiveController implements AutoCloseable {
   private final Consumer<ControlProblem> problems;
   private final BrowserListener onBrowser = this::browserChanged;
   private @Nullable SceneController scene;
+  private long levelsBefore;
 
   /**
    * Takes control of the scene that the browser shows, and of every scene that it will show.
@@ -191,6 +192,16 @@ public final class SelectiveController implements AutoCloseable {
   /** Returns the choice that each enriched Switch shows, by name, in the order of the scene. */
   public synchronized Map<String, Integer> choices() {
     return scene == null ? Map.of() : scene.choices();
+  }
+
+  /** Returns the number of fields that have each level, by quality; level -1 is none. */
+  public synchronized Map<Quality, Map<Integer, Integer>> levels() {
+    return scene == null ? Map.of() : scene.levelCounts();
+  }
+
+  /** Returns a number that changes when {@link #levels} may have. */
+  public synchronized long levelsVersion() {
+    return levelsBefore + (scene == null ? 0 : scene.levelsVersion());
   }
 
   /**
@@ -327,6 +338,7 @@ public final class SelectiveController implements AutoCloseable {
 
   private void detach() {
     if (scene != null) {
+      levelsBefore += scene.levelsVersion() + 1;
       scene.close();
       scene = null;
     }

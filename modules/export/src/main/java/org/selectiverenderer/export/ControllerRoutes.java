@@ -38,6 +38,28 @@ final class ControllerRoutes {
   }
 
   /**
+   * Reports the fields whose levels only a Script chooses.
+   *
+   * @return whether anything is left to do
+   */
+  static boolean carries(ControlledNodes nodes, ProblemCollector problems) {
+    for (ControlledField field : nodes.fields()) {
+      problems.warning(
+          field.location(),
+          "%s keeps its value, since only the Script sets fields; export without --without-script"
+              .formatted(field.target()));
+    }
+    if (nodes.objects().isEmpty() && !nodes.fields().isEmpty()) {
+      problems.error(
+          nodes.fields().get(0).location(),
+          "no object has versions, and only the Script sets fields;"
+              + " export without --without-script");
+      return false;
+    }
+    return true;
+  }
+
+  /**
    * Reports, as errors, the areas that only a Script can tell apart.
    *
    * @param places the areas whose positions the scene determines

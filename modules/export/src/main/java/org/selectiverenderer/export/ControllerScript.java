@@ -10,9 +10,11 @@ import java.util.Objects;
 import java.util.stream.Collectors;
 import org.selectiverenderer.base.markup.MarkupEscaper;
 import org.selectiverenderer.export.ControlledNodes.Area;
+import org.selectiverenderer.export.ControlledNodes.Lot;
 import org.selectiverenderer.export.ControlledNodes.VersionedObject;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.schema.SensorSchemas;
+import org.selectiverenderer.schema.SwitchSchemas;
 import org.selectiverenderer.x3d.write.FieldValueFormatter;
 
 /**
@@ -64,13 +66,24 @@ final class ControllerScript {
     lists("enter", areas.stream().map(SensorSchemas::enter).toList(), fields);
     lists("exit", areas.stream().map(SensorSchemas::exit).toList(), fields);
     fields.add(strings("objectNames", objects.stream().map(VersionedObject::def).toList()));
-    var choices = objects.stream().map(object -> object.schemas().choiceBySchema()).toList();
+    List<SwitchSchemas> schemas = nodes.schemas();
+    fields.add(
+        strings("fieldNames", nodes.fields().stream().map(f -> f.target().toString()).toList()));
+    var choices = schemas.stream().map(SwitchSchemas::choiceBySchema).toList();
     lists("choice", choices.stream().map(choice -> choice.keySet()).toList(), fields);
     fields.add(integers("choices", choices.stream().flatMap(c -> c.values().stream()).toList()));
-    fields.add(integers("shown", objects.stream().map(VersionedObject::whichChoice).toList()));
+    List<Integer> shown = new ArrayList<>();
+    objects.forEach(object -> shown.add(object.whichChoice()));
+    nodes.fields().forEach(field -> shown.add(field.shown()));
+    fields.add(integers("shown", shown));
     fields.add(integers("most", nodes.choices(Condition.HIGH, 0)));
-    fields.add(integers("least", objects.stream().map(o -> o.schemas().leastDetailed()).toList()));
+    fields.add(integers("least", schemas.stream().map(SwitchSchemas::leastDetailed).toList()));
     fields.add(integers("highLow", nodes.choices(Condition.HIGH_LOW, 0)));
+    List<Lot> lots = nodes.lots();
+    fields.add(integers("lotLengths", lots.stream().map(lot -> lot.members().size()).toList()));
+    fields.add(
+        integers("lotMembers", lots.stream().flatMap(lot -> lot.members().stream()).toList()));
+    fields.add(integers("lotSeeds", lots.stream().map(Lot::seed).toList()));
     for (int i = 0; i < areas.size(); i++) {
       fields.add(event("enter" + i, "SFTime", "inputOnly"));
       fields.add(event("exit" + i, "SFTime", "inputOnly"));
@@ -81,7 +94,32 @@ final class ControllerScript {
         fields.add(event("changed" + i, "SFInt32", "inputOnly"));
       }
     }
+    for (int i = 0; i < nodes.fields().size(); i++) {
+      values(i, nodes.fields().get(i), fields);
+    }
     return fields;
+  }
+
+  /** Adds the values of a field, the output that sets it, and the input that tells of others. */
+  private static void values(int i, ControlledField field, List<String> fields) {
+    String type = field.type().name();
+    for (int level = 0; level < field.levels().size(); level++) {
+      fields.add(value(level(i, level, field), type, field.levels().get(level)));
+    }
+    field.begin().ifPresent(text -> fields.add(value(begin(i, field), type, text)));
+    fields.add(event("value" + i, type, "outputOnly"));
+    if (field.routed()) {
+      fields.add(event("valueChanged" + i, type, "inputOnly"));
+    }
+  }
+
+  /** Returns the name of a level's value; one that ends with url is known to hold urls. */
+  private static String level(int field, int level, ControlledField of) {
+    return "level%d_%d_%s".formatted(field, level, of.target().field());
+  }
+
+  private static String begin(int field, ControlledField of) {
+    return "begin%d_%s".formatted(field, of.target().field());
   }
 
   private static void lists(
@@ -123,11 +161,36 @@ final class ControllerScript {
         lines.add("function changed%d(choice) { now[%d] = choice; }".formatted(i, i));
       }
     }
+    for (int i = 0; i < nodes.fields().size(); i++) {
+      ControlledField field = nodes.fields().get(i);
+      if (field.routed()) {
+        List<String> levels = new ArrayList<>();
+        for (int level = 0; level < field.levels().size(); level++) {
+          levels.add(level(i, level, field));
+        }
+        lines.add(
+            "function valueChanged%d(value) { now[%d] = levelOf(value, [%s]); }"
+                .formatted(i, nodes.objects().size() + i, String.join(", ", levels)));
+      }
+    }
     lines.add("");
     lines.add("function send(object, choice) {");
     lines.add("  switch (object) {");
     for (int i = 0; i < nodes.objects().size(); i++) {
       lines.add("    case %d: choice%d = choice; break;".formatted(i, i));
+    }
+    for (int i = 0; i < nodes.fields().size(); i++) {
+      ControlledField field = nodes.fields().get(i);
+      lines.add("    case %d:".formatted(nodes.objects().size() + i));
+      for (int level = 0; level < field.levels().size(); level++) {
+        lines.add(
+            "      if (choice == %d) { value%d = %s; }"
+                .formatted(level, i, level(i, level, field)));
+      }
+      if (field.begin().isPresent()) {
+        lines.add("      if (choice < 0) { value%d = %s; }".formatted(i, begin(i, field)));
+      }
+      lines.add("      break;");
     }
     lines.add("  }");
     lines.add("}");
@@ -147,6 +210,14 @@ final class ControllerScript {
       if (object.routed()) {
         // What another ROUTE shows is what the next step compares with.
         lines.add(route(object.def(), "whichChoice", def, "changed" + i));
+      }
+    }
+    for (int i = 0; i < nodes.fields().size(); i++) {
+      ControlledField field = nodes.fields().get(i);
+      lines.add(route(def, "value" + i, field.target().node(), field.target().field()));
+      if (field.routed()) {
+        lines.add(
+            route(field.target().node(), field.target().field(), def, "valueChanged" + i));
       }
     }
     return lines;

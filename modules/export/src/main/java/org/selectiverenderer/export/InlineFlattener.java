@@ -214,7 +214,7 @@ final class InlineFlattener {
     if (read.isPresent()) {
       DocumentEnrichment own = new DocumentEnrichment(read.get(), catalogue);
       nodes =
-          own.switches().stream().anyMatch(EnrichedSwitch::enriched)
+          own.switches().stream().anyMatch(EnrichedSwitch::controlled)
               || own.sensors().stream().anyMatch(EnrichedSensor::enriched);
       for (DocumentElement element : SceneFiles.elements(read.get())) {
         boolean external = element.name().equals(EXTERNAL);

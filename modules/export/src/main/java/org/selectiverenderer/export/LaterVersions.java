@@ -15,6 +15,7 @@ import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.authoring.packaging.PackagedFile;
+import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 import org.selectiverenderer.x3d.source.DocumentElement;
@@ -65,7 +66,8 @@ final class LaterVersions {
     DocumentEnrichment enrichment = new DocumentEnrichment(document, catalogue);
     List<EnrichedSwitch> objects =
         enrichment.switches().stream().filter(EnrichedSwitch::enriched).toList();
-    List<Integer> first = ControlledNodes.of(enrichment).choices(condition, seed);
+    List<Integer> first =
+        ControlledNodes.of(enrichment, catalogue, new ProblemCollector()).choices(condition, seed);
     Set<String> known = known(document);
     NodeNamer names = new NodeNamer(document);
     List<Version> versions = new ArrayList<>();

@@ -75,7 +75,7 @@ final class PrototypeFlattener {
     Set<DocumentElement> scopes = new HashSet<>();
     DocumentEnrichment nodes = new DocumentEnrichment(document, catalogue);
     nodes.switches().stream()
-        .filter(EnrichedSwitch::enriched)
+        .filter(EnrichedSwitch::controlled)
         .forEach(node -> scopes.add(ElementScope.of(node.element())));
     nodes.sensors().stream()
         .filter(EnrichedSensor::enriched)

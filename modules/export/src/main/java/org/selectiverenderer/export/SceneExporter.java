@@ -16,7 +16,6 @@ import org.selectiverenderer.authoring.area.AreaLocator;
 import org.selectiverenderer.authoring.enrichment.DocumentEnrichment;
 import org.selectiverenderer.authoring.enrichment.EnrichedSensor;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
-import org.selectiverenderer.authoring.enrichment.FieldQualityEdits;
 import org.selectiverenderer.authoring.packaging.PackageLayout;
 import org.selectiverenderer.authoring.packaging.PackagedFile;
 import org.selectiverenderer.authoring.packaging.ScenePackage;
@@ -96,14 +95,13 @@ public final class SceneExporter {
       return Optional.empty();
     }
     DocumentEnrichment enrichment = new DocumentEnrichment(document, catalogue);
-    warnOfFieldQualities(document, enrichment);
     Optional<String> script = Optional.empty();
-    if (!any || enrichment.switches().stream().anyMatch(EnrichedSwitch::enriched)) {
+    if (!any || enrichment.switches().stream().anyMatch(EnrichedSwitch::controlled)) {
       if (!exportable(document, enrichment, scene)) {
         return Optional.empty();
       }
       nameNodes(document, enrichment);
-      ControlledNodes nodes = ControlledNodes.of(enrichment);
+      ControlledNodes nodes = ControlledNodes.of(enrichment, catalogue, problems);
       if (settings.script()) {
         script = Optional.of(addScript(document, nodes, settings));
       } else if (!addRoutes(document, nodes, enrichment)) {
@@ -118,25 +116,6 @@ public final class SceneExporter {
             settings.format() == SceneFormat.XML ? files : encoded(files, settings.format()),
             script,
             title(document).orElse(stem(scene))));
-  }
-
-  /** Tells that the Script shows versions only: fields stay as the file has them. */
-  private void warnOfFieldQualities(SceneDocument document, DocumentEnrichment enrichment) {
-    FieldQualityEdits qualities = new FieldQualityEdits(document);
-    List<EnrichedSwitch> objects =
-        enrichment.switches().stream()
-            .filter(node -> !qualities.of(node.element()).isEmpty())
-            .toList();
-    if (!objects.isEmpty()) {
-      problems.warning(
-          objects.get(0).element().location(),
-          ("an export carries versions of objects only: the qualities in fields of %s stay as they"
-                  + " are in the scene")
-              .formatted(
-                  objects.size() == 1
-                      ? objects.get(0).name()
-                      : objects.get(0).name() + " and others"));
-    }
   }
 
   /** Returns the title that the first WorldInfo with one tells (X3D 4.0, 10.4.5). */
@@ -165,7 +144,7 @@ public final class SceneExporter {
   private boolean exportable(SceneDocument document, DocumentEnrichment enrichment, Path scene) {
     List<DocumentElement> enriched = new ArrayList<>();
     enrichment.switches().stream()
-        .filter(EnrichedSwitch::enriched)
+        .filter(EnrichedSwitch::controlled)
         .map(EnrichedSwitch::element)
         .forEach(enriched::add);
     boolean objects = !enriched.isEmpty();
@@ -225,6 +204,9 @@ public final class SceneExporter {
   /** Adds what controls the scene without a Script; returns whether that could be done. */
   private boolean addRoutes(
       SceneDocument document, ControlledNodes nodes, DocumentEnrichment enrichment) {
+    if (!ControllerRoutes.carries(nodes, problems)) {
+      return false;
+    }
     NodeNamer names = new NodeNamer(document);
     ControllerRoutes routes = new ControllerRoutes(nodes, names::unused);
     if (!routes.decided(AreaLocator.of(enrichment), problems)) {

@@ -1,6 +1,7 @@
-// The selective rendering controller: it sets the choice of each object's Switch by the memory schemas of the
-// areas that the viewer is in (A. Zotos, A real time selective rendering algorithm based on spatial cognition,
-// Figs 48 and 49), for areas that may be nested and overlap:
+// The selective rendering controller: it sets the choice of each object's Switch, and the level of each field that
+// is a quality of an object, such as the url of a texture, by the memory schemas of the areas that the viewer is in
+// (A. Zotos, A real time selective rendering algorithm based on spatial cognition, Figs 48 and 49), for areas that may
+// be nested and overlap:
 //
 //   - Entering an area activates its schemas. A Switch shows the choice of the last of them that it has a choice
 //     for; of several entered areas the one entered last takes precedence.
@@ -15,10 +16,15 @@
 //   seed            the random seed of the condition random
 //   areaNames       DEF names of the ProximitySensors;  enterLengths, enterSchemas and exitLengths, exitSchemas:
 //                   the schemas that entering and leaving each of them activates
-//   objectNames     DEF names of the Switches;  choiceLengths, choiceSchemas, choices: for each of them the schemas
-//                   that it has a choice for, and these choices
-//   shown           what each Switch shows now;  most, least, highLow: its choice with most polygons, with fewest,
-//                   and that of the condition high-low
+//   objectNames     DEF names of the Switches;  fieldNames: the fields. Below, both count as objects, the fields after
+//                   the Switches, and a level of a field as a choice
+//   choiceLengths   with choiceSchemas and choices: for each object the schemas that it has a choice for, and these
+//   shown           what each object shows now;  most, least, highLow: its best choice, its worst one, and that of the
+//                   condition high-low
+//   lotLengths      with lotMembers and lotSeeds: the objects of which the condition random draws a half, each quality
+//                   by itself
+//   level0_1_url    the value of the first field, which is called url, at its second level, and so on;  begin0_url: the
+//                   value in the file, where no level has it
 //
 // Only functions and arrays of ECMAScript 3 are used, so that every browser's engine runs it. Strings are in
 // single quotes, since Xj3D takes double ones for the end of the text.
@@ -175,14 +181,28 @@ function show(object, choice) {
   }
 }
 
-// The lot of the condition 'random': Java's Random and Collections.shuffle, so that the same seed gives the same
+// The level of a field that has a value now; -1 for none.
+function levelOf(value, levels) {
+  for (var i = 0; i < levels.length; i++) {
+    if (String(levels[i]) == String(value)) {
+      return i;
+    }
+  }
+  return -1;
+}
+
+// The lots of the condition 'random': Java's Random and Collections.shuffle, so that the same seed gives the same
 // objects as in the selective renderer. Numbers of 48 bits are pairs of 24 bits, which products keep exact.
 function randomHalf() {
-  var random = newRandom(seed);
-  var drawn = [];
-  for (var i = 0; i < now.length; i++) {
-    drawn.push(i);
+  var wanted = [];
+  var lots = split(lotLengths, lotMembers);
+  for (var i = 0; i < lots.length; i++) {
+    drawHalf(lots[i], newRandom(seed + lotSeeds[i]), wanted);
   }
+  return wanted;
+}
+
+function drawHalf(drawn, random, wanted) {
   var low = Math.floor(drawn.length / 2);
   if (drawn.length % 2 == 1 && random.bits(1) == 1) {
     low++;
@@ -193,11 +213,9 @@ function randomHalf() {
     drawn[size - 1] = drawn[other];
     drawn[other] = kept;
   }
-  var wanted = [];
   for (var j = 0; j < drawn.length; j++) {
     wanted[drawn[j]] = j < low ? least[drawn[j]] : most[drawn[j]];
   }
-  return wanted;
 }
 
 function newRandom(number) {
@@ -263,4 +281,4 @@ function keyOf(schema) {
 }
 
 // Below stands what has one line for each area and object: the inputs from the ProximitySensors, and send, which
-// writes the output that a ROUTE takes to the Switch.
+// writes the output that a ROUTE takes to the Switch or the field.

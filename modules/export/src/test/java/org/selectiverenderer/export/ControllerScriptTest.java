@@ -57,11 +57,17 @@ class ControllerScriptTest {
         .replaceAll("\\w+Url='[^']*'", "");
   }
 
+  private static ControlledNodes nodes(SceneDocument document) {
+    NodeCatalogue catalogue = NodeCatalogue.load();
+    return ControlledNodes.of(
+        new DocumentEnrichment(document, catalogue), catalogue, new ProblemCollector());
+  }
+
   private static SceneDocument exported(String scene, Condition condition, int seed)
       throws IOException {
     SceneDocument document = SceneDocument.of("scene.x3d", scene.getBytes(StandardCharsets.UTF_8));
     ControlledNodes nodes =
-        ControlledNodes.of(new DocumentEnrichment(document, NodeCatalogue.load()));
+        nodes(document);
     List<String> lines = new ControllerScript(nodes, "SchemaController").lines(condition, seed);
     var root = document.tree().orElseThrow().scene().orElseThrow();
     document.perform(new Edit("export", List.of(document.layout().insertLast(root, lines))));
@@ -129,7 +135,7 @@ class ControllerScriptTest {
       return List.of();
     }
     SceneDocument document = SceneDocument.of("scene.x3d", scene.getBytes(StandardCharsets.UTF_8));
-    return ControlledNodes.of(new DocumentEnrichment(document, NodeCatalogue.load()))
+    return nodes(document)
         .objects()
         .stream()
         .map(ControlledNodes.VersionedObject::def)
@@ -175,7 +181,7 @@ class ControllerScriptTest {
     scene = bare(scene);
     SceneDocument document = SceneDocument.of("scene.x3d", scene.getBytes(StandardCharsets.UTF_8));
     ControlledNodes nodes =
-        ControlledNodes.of(new DocumentEnrichment(document, NodeCatalogue.load()));
+        nodes(document);
     List<String> lines = new ControllerRoutes(nodes, name -> name).lines();
     var root = document.tree().orElseThrow().scene().orElseThrow();
     document.perform(new Edit("export", List.of(document.layout().insertLast(root, lines))));
@@ -266,7 +272,7 @@ class ControllerScriptTest {
     ProblemCollector problems = new ProblemCollector();
 
     assertThat(
-            new ControllerRoutes(ControlledNodes.of(enrichment), name -> name)
+            new ControllerRoutes(ControlledNodes.of(enrichment, NodeCatalogue.load(), problems), name -> name)
                 .decided(AreaLocator.of(enrichment), problems))
         .isFalse();
     assertThat(problems.list())

@@ -14,7 +14,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.authoring.packaging.PackagedFile;
 import org.selectiverenderer.authoring.packaging.ScenePackage;
-import org.selectiverenderer.base.problem.Problem;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.schema.Condition;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
@@ -80,25 +79,6 @@ class SceneExporterTest {
     ScenePackage files = export(content, SceneFormat.XML).orElseThrow();
     assertThat(problems.list()).isEmpty();
     return new String(files.scene().changed().orElseThrow(), StandardCharsets.UTF_8);
-  }
-
-  @Test
-  void qualitiesInFieldsAreNotCarriedAndThatIsSaid() throws IOException {
-    String quality =
-        "<MetadataSet containerField='metadata' name='fieldQualities'><MetadataSet>"
-            + "<MetadataString name='quality' value='\"light\"'/>"
-            + "<MetadataString name='field' value='\"L.on\"'/>"
-            + "<MetadataSet><MetadataString name='value' value='\"true\"'/></MetadataSet>"
-            + "</MetadataSet></MetadataSet>";
-    String lamp =
-        object("Switch_Lamp", "<Group/>").replaceFirst("<MetadataSet>", "<MetadataSet>" + quality)
-            + "<PointLight DEF='L'/>";
-    assertThat(export(scene(AREA + lamp), SceneFormat.XML)).isPresent();
-    assertThat(problems.list())
-        .extracting(Problem::message)
-        .containsExactly(
-            "an export carries versions of objects only: the qualities in fields of Switch_Lamp"
-                + " stay as they are in the scene");
   }
 
   @Test

@@ -50,6 +50,7 @@ public final class Walkthrough implements AutoCloseable {
   private final ProblemCollector problems;
   private final Consumer<TimelineEvent> timeline;
   private final Optional<VersionBudget> budget;
+  private final QualityTally qualities;
   private final List<ControlEvent> early = new ArrayList<>();
   private double firstTime = Double.NaN;
   private long frames;
@@ -74,6 +75,7 @@ public final class Walkthrough implements AutoCloseable {
         settings
             .budget()
             .map(limit -> new VersionBudget(world, controller, browser::nodeOf, limit));
+    qualities = new QualityTally(controller);
     world.instances().update();
     SourceLocation file = world.scene().root().location();
     controller.idleRules().ifPresent(remark -> problems.warning(file, remark));
@@ -253,6 +255,7 @@ public final class Walkthrough implements AutoCloseable {
     world.step(time, motion);
     controller.showDue(World.EPOCH + time);
     timing.end();
+    qualities.stepped(time);
     if (frames == 0) {
       startPolygons = polygons();
     }
@@ -268,7 +271,8 @@ public final class Walkthrough implements AutoCloseable {
               world.time(),
               frames,
               new TimelineEvent.PolygonSpan(startPolygons, polygons(), maxPolygons),
-              controller.waiting()));
+              controller.waiting(),
+              qualities.until(world.time())));
     }
   }
 

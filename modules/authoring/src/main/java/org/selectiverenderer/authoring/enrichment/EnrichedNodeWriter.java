@@ -98,6 +98,7 @@ final class EnrichedNodeWriter {
         continue;
       } else if (sets.get(i).shared()) {
         foreign(sets.get(i));
+        sharing.extensible(metadata.meant());
         changes.add(
             layout.replace(sets.get(i).written(), text.part(node.object(), i, wanted.get(i))));
       } else {
@@ -105,6 +106,7 @@ final class EnrichedNodeWriter {
       }
     }
     if (!lines.isEmpty()) {
+      sharing.extensible(metadata.meant());
       changes.add(layout.insertLast(metadata.meant(), lines));
     }
     return changes;

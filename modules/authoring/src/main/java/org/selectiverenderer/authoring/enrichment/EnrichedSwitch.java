@@ -50,6 +50,11 @@ public record EnrichedSwitch(
     return schemas.isPresent();
   }
 
+  /** Returns whether schemas choose its versions, or levels of its other qualities. */
+  public boolean controlled() {
+    return enriched() || !qualities.isEmpty();
+  }
+
   /** Returns what its versions differ in: polygons, unless the metadata name another quality. */
   public Quality quality() {
     return schemas.map(SwitchSchemas::quality).orElse(Quality.POLYGONS);

@@ -23,11 +23,13 @@ import org.selectiverenderer.x3d.write.FieldValueFormatter;
 public final class FieldQualityEdits {
   private final SceneDocument document;
   private final SourceFormatter layout;
+  private final SharedMetadataGuard sharing;
 
   /** Makes edits for the document's present state. */
   public FieldQualityEdits(SceneDocument document) {
     this.document = document;
     this.layout = document.layout();
+    this.sharing = new SharedMetadataGuard(document);
   }
 
   /** Returns the field qualities of a Switch that can be read. */
@@ -97,6 +99,7 @@ public final class FieldQualityEdits {
                   object,
                   metadata.shared() ? "belong to another node (USE)" : "are no MetadataSet"));
     }
+    sharing.extensible(metadata.meant());
   }
 
   private List<TextEdit> into(MetadataElement known, List<FieldQuality> wanted, QualityXml xml) {
@@ -108,6 +111,7 @@ public final class FieldQualityEdits {
               .filter(set -> target(set).filter(quality.target()::equals).isPresent())
               .findFirst();
       if (before.isPresent()) {
+        sharing.free(before.get().written());
         changes.add(layout.replace(before.get().written(), xml.quality(quality)));
       } else {
         added.addAll(xml.quality(quality));

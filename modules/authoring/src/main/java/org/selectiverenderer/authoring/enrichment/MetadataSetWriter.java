@@ -49,6 +49,7 @@ final class MetadataSetWriter {
       return changes;
     }
     DocumentElement owner = set.meant();
+    sharing.extensible(owner);
     Optional<DocumentElement> anchor =
         owner.children().stream().filter(child -> !removed.contains(child)).reduce((a, b) -> b);
     int first = 0;

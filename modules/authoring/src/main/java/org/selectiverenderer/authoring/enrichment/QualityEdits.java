@@ -55,6 +55,7 @@ public final class QualityEdits {
               : value(word, List.of(wanted.spelling())));
     }
     if (words.isEmpty()) {
+      sharing.extensible(sets.get(0).meant());
       changes.add(layout.insertLast(sets.get(0).meant(), List.of(word(node.element(), wanted))));
     }
     return new Edit(name, changes);
@@ -207,7 +208,7 @@ public final class QualityEdits {
 
   /** Adds a level with the value of the last one after it. */
   public Edit addLevel(EnrichedField field) {
-    own(field.element());
+    sharing.extensible(own(field.element()));
     EnrichedField.Level last = field.levels().get(field.levels().size() - 1);
     VersionMetadata undescribed =
         new VersionMetadata(field.levels().size(), Optional.empty(), Optional.empty(), List.of());

@@ -27,7 +27,6 @@ import org.selectiverenderer.x3d.write.FieldValueFormatter;
  * Switch that receive values which metadata can hold; and judges values of them.
  */
 public final class QualityTargets {
-  /** The types that the controller writes from metadata. */
   private final SceneDocument document;
 
   private final NodeCatalogue catalogue;

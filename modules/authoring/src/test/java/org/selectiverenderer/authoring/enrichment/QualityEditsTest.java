@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import java.util.Optional;
+import org.assertj.core.api.ThrowableAssert;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.EditRejectedException;
@@ -252,5 +253,41 @@ class QualityEditsTest {
     after(scene, edits(scene).remove(other, field));
     assertThat(scene.switchNode("Switch_Other").fields()).isEmpty();
     assertThat(field(scene).levels()).hasSize(2);
+  }
+
+  /** Another Switch uses all of the metadata, so that each edit would be one of both. */
+  @Test
+  void metadataThatAnotherObjectSharesAsAWholeStay() {
+    String shared =
+        ENRICHED.replace(OUTER, OUTER.replace("<MetadataSet ", "<MetadataSet DEF='M' "))
+            + "  <Switch DEF='Other'><MetadataSet containerField='metadata' USE='M'/><Group/>"
+            + "<Group/></Switch>\n";
+    EnrichmentScenes scene = EnrichmentScenes.with(shared);
+    FieldReference lamp = new FieldReference("Lamp", "on");
+    ChoiceMetadata described =
+        new ChoiceMetadata(Optional.empty(), Optional.of(ConsistencyDegree.HIGH), List.of("Hall"));
+    List<ThrowableAssert.ThrowingCallable> all =
+        List.of(
+            () -> edits(scene).quality(field(scene), Quality.LIGHT),
+            () -> edits(scene).target(sofa(scene), field(scene), lamp),
+            () -> edits(scene).value(field(scene), 1, List.of("tiny.jpg")),
+            () -> edits(scene).metadata(sofa(scene), field(scene), 1, described),
+            () -> edits(scene).addLevel(field(scene)),
+            () -> edits(scene).removeLevel(field(scene), 1),
+            () -> edits(scene).remove(sofa(scene), field(scene)),
+            () -> edits(scene).add(sofa(scene), textures(lamp)),
+            () -> edits(scene).ofVersions(sofa(scene), Quality.LIGHT),
+            () ->
+                new FieldQualityEdits(scene.document)
+                    .put(sofa(scene).element(), List.of(textures(URL))),
+            () -> scene.edits().choice(sofa(scene), 0, described),
+            () -> scene.edits().choice(sofa(scene), 1, described));
+    for (int i = 0; i < all.size(); i++) {
+      assertThatThrownBy(all.get(i))
+          .as("edit " + i)
+          .isInstanceOf(EditRejectedException.class)
+          .hasMessageContaining("the metadata 'M' is also used elsewhere (USE)");
+    }
+    assertThat(scene.nodes()).isEqualTo(shared);
   }
 }

@@ -23,6 +23,7 @@ public final class GroupInstance extends Instance implements NodeObserver {
   private Matrix4dc content = IDENTITY;
   List<Instance> children = List.of();
   boolean disposed;
+  long restructured;
 
   /** The layout rectangle for the groups below; null if it is the one of the group above. */
   private @Nullable LayoutRectangle region;
@@ -43,6 +44,14 @@ public final class GroupInstance extends Instance implements NodeObserver {
 
   public List<Instance> children() {
     return children;
+  }
+
+  /**
+   * Returns the {@link InstanceTree#structureVersion} with which the children of this group or of
+   * one below it last became others; 0 if they are those with which it began.
+   */
+  public long restructured() {
+    return restructured;
   }
 
   /** Returns whether the same group node is an ancestor, as in a scene that contains itself. */

@@ -390,8 +390,10 @@ public final class InstanceTree {
       before.computeIfAbsent(child.node(), node -> new ArrayDeque<>(1)).add(child);
     }
     int depth = 0;
+    group.restructured = structureVersion + 1;
     for (GroupInstance above = group.parent(); above != null; above = above.parent()) {
       depth++;
+      above.restructured = structureVersion + 1;
     }
     group.children = children(group, depth, before);
     before.values().forEach(gone -> gone.forEach(this::dispose));

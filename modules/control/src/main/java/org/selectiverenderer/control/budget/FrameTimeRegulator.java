@@ -10,8 +10,9 @@ package org.selectiverenderer.control.budget;
  * time grows with the square of the triangles, and by a tenth at most when it lets them grow. Where
  * the next larger version has more than a tenth of all triangles, several such changes add up until
  * it fits, as far as the ratio promises that its frames will take less than the goal. It aims a
- * twentieth below the goal, and leaves alone what is less than a tenth below. One frame that takes
- * very long, as when a file arrives, counts as four times the goal at most.
+ * twentieth below the goal, and leaves alone what is less than a tenth below. Of the last three
+ * frames the middle time counts, so that one that takes long, as when a file arrives or new objects
+ * are measured, changes nothing; of several, each counts as four times the goal at most.
  *
  * <p>Not thread-safe.
  */
@@ -25,6 +26,8 @@ public final class FrameTimeRegulator {
   private static final double MOST_UP = 1.1;
 
   private final double goal;
+  private double last = Double.NaN;
+  private double lastButOne = Double.NaN;
   private double smoothed = Double.NaN;
   private int frames;
   private double triangles = Double.POSITIVE_INFINITY;
@@ -43,7 +46,9 @@ public final class FrameTimeRegulator {
    * @param shown the triangles of the scene that it showed
    */
   public void frame(double ms, long shown) {
-    double counted = Math.min(ms, SPIKE * goal);
+    double counted = Math.min(middle(ms, last, lastButOne), SPIKE * goal);
+    lastButOne = last;
+    last = ms;
     smoothed = Double.isNaN(smoothed) ? counted : smoothed + SMOOTHING * (counted - smoothed);
     frames++;
     if (frames < SETTLE || (smoothed <= goal && smoothed >= LOW * goal)) {
@@ -56,6 +61,12 @@ public final class FrameTimeRegulator {
             ? Math.min(Math.max(triangles, shown) * MOST_UP, shown * ratio)
             : Math.min(triangles, shown) * Math.max(MOST_DOWN, ratio);
     frames = 0;
+  }
+
+  /** Returns the middle one of three times; the first while others are not known. */
+  private static double middle(double a, double b, double c) {
+    double middle = Math.max(Math.min(a, b), Math.min(Math.max(a, b), c));
+    return Double.isNaN(middle) ? a : middle;
   }
 
   /**

@@ -199,6 +199,26 @@ public final class MultipleChoiceKnapsack {
   }
 
   /**
+   * Lets an item have a version as if the last solution had chosen it, so that others take its
+   * place only by the hysteresis. A version that no solution chooses leaves the item as it is.
+   */
+  public void resume(int of, int chosen) {
+    for (int steps = 0; steps <= firstStep[of + 1] - firstStep[of]; steps++) {
+      int reached = steps == 0 ? cheapest[of] : version[firstStep[of] + steps - 1];
+      if (reached == chosen) {
+        if (present[of]) {
+          unlist(of);
+        }
+        taken[of] = steps;
+        if (present[of]) {
+          enlist(of);
+        }
+        return;
+      }
+    }
+  }
+
+  /**
    * Chooses the versions.
    *
    * @param budget the most that they may cost together; where even the cheapest versions cost more,

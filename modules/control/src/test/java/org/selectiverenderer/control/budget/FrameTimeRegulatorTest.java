@@ -55,6 +55,19 @@ class FrameTimeRegulatorTest {
     assertThat(regulator.triangles(LEAST, MOST)).isBetween(settled * 85 / 100, settled * 11 / 10);
   }
 
+  /** Such as one in which a file arrives, or in which new objects are measured. */
+  @Test
+  void aSingleSlowFrameChangesNothing() {
+    FrameTimeRegulator regulator = new FrameTimeRegulator(GOAL);
+    run(regulator, 1000, triangles -> 2 + triangles * 4e-5);
+    long settled = regulator.triangles(LEAST, MOST);
+    for (int hitch = 0; hitch < 20; hitch++) {
+      regulator.frame(5000, settled);
+      run(regulator, 7, triangles -> 2 + triangles * 4e-5);
+    }
+    assertThat(regulator.triangles(LEAST, MOST)).isEqualTo(settled);
+  }
+
   @Test
   void aLargeVersionComesBackWhenItFits() {
     FrameTimeRegulator regulator = new FrameTimeRegulator(GOAL);

@@ -25,6 +25,20 @@ class MultipleChoiceKnapsackTest {
   }
 
   @Test
+  void aVersionThatIsResumedIsKeptLikeOneThatWasChosen() {
+    VersionChoices some = choices(new long[] {1, 11}, 60, 10);
+    VersionChoices worthier = choices(new long[] {1, 11}, 70, 10);
+    MultipleChoiceKnapsack fresh = new MultipleChoiceKnapsack(List.of(some, worthier), 1);
+    assertThat(chosen(fresh, 12)).containsExactly(0, 1);
+    MultipleChoiceKnapsack resumed = new MultipleChoiceKnapsack(List.of(some, worthier), 1);
+    resumed.resume(0, 1);
+    resumed.resume(1, 7); // There is no such version.
+    assertThat(chosen(resumed, 12)).as("not worth twice as much").containsExactly(1, 0);
+    assertThat(chosen(resumed, 22)).containsExactly(1, 1);
+    assertThat(chosen(resumed, 2)).containsExactly(0, 0);
+  }
+
+  @Test
   void stepsAreTakenInTheOrderOfWhatTheySavePerTriangle() {
     MultipleChoiceKnapsack two =
         problem(

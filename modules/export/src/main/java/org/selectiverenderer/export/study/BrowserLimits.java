@@ -51,9 +51,8 @@ final class BrowserLimits {
   }
 
   private void refuse(JsonObjectReader keys) {
-    if (!study.design().blocks().isEmpty()) {
-      new TrialLimits().refuse(keys);
-    }
+    TrialLimits.rendering(keys);
+    new TrialLimits().refuse(keys);
     if (study.triggers().isPresent()) {
       keys.fault("triggers", "a web browser cannot send triggers by a serial port");
     }

@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.selectiverenderer.formats.json.JsonObjectReader;
 import org.selectiverenderer.formats.json.LocatedJsonValue;
+import org.selectiverenderer.schema.SwitchTransition;
 import org.selectiverenderer.study.design.Factor;
 import org.selectiverenderer.study.design.StudyDesign;
 import org.selectiverenderer.study.design.TrialBlock;
@@ -12,6 +13,8 @@ import org.selectiverenderer.study.design.TrialSettings;
 /** Refuses what blocks of trials ask for and the page cannot do, each with its line. */
 final class TrialLimits {
   private static final String DISPLAY = "display";
+  private static final String QUALITIES = "qualities";
+  private static final String SWITCH = "switch";
 
   /** Refuses in the study's blocks, and in the levels of its factors. */
   void refuse(JsonObjectReader keys) {
@@ -21,9 +24,24 @@ final class TrialLimits {
         "a factor",
         factor -> {
           factor.names();
-          factor.objects("levels", "a level", TrialLimits::display);
+          factor.objects("levels", "a level", TrialLimits::shown);
           return true;
         });
+  }
+
+  /** Refuses what an object of keys says about changes of versions, and about qualities. */
+  static void rendering(JsonObjectReader keys) {
+    keys.value(SWITCH)
+        .flatMap(LocatedJsonValue::text)
+        .filter(way -> !way.equals(SwitchTransition.AT_ONCE.spelling()))
+        .ifPresent(
+            way -> keys.fault(SWITCH, "the page changes versions at once, and cannot do " + way));
+    if (keys.has(QUALITIES)) {
+      keys.fault(
+          QUALITIES,
+          "the page shows all qualities as the condition says, and cannot set one apart; write"
+              + " factors with conditions, or export a scene for each level");
+    }
   }
 
   /** Returns what the blocks, levels and stimuli of a design say that trials show. */
@@ -44,7 +62,7 @@ final class TrialLimits {
   }
 
   private boolean block(JsonObjectReader block) {
-    display(block);
+    shown(block);
     if (block.has("staircase")) {
       block.fault(
           "staircase",
@@ -66,8 +84,9 @@ final class TrialLimits {
     return true;
   }
 
-  private static boolean display(JsonObjectReader keys) {
+  private static boolean shown(JsonObjectReader keys) {
     keys.names();
+    rendering(keys);
     if (keys.has(DISPLAY)) {
       keys.fault(DISPLAY, "the page shows one picture, and cannot vary the display");
     }

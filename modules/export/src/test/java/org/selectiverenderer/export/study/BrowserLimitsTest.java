@@ -31,6 +31,8 @@ class BrowserLimitsTest {
         "\"streams\": {\"lsl\": true}|a web browser has no Lab Streaming Layer",
         "\"tracker\": \"opentrack:4242\"|a web browser reads no head tracker",
         "\"display\": {\"mode\": \"openxr\"}|the page cannot run a study inside a headset yet",
+        "\"qualities\": {\"textures\": \"low\"}|the page shows all qualities as the condition says",
+        "\"switch\": \"fade:300\"|the page changes versions at once, and cannot do fade:300",
         "\"closed\": true|the page cannot close rooms yet",
         "\"stay\": \"walk\"|the page cannot bound an area yet"
       })

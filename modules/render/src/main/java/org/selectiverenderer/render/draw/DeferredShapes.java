@@ -133,8 +133,13 @@ final class DeferredShapes {
     eye = new Vector3d(from);
     inView.clear();
     if (unseen.grouped()) {
-      visible.calls.forEach(item -> inView.set(unseen.group(item.shape().index())));
+      note(visible);
+      visible.fading.forEach(version -> note(version.items()));
     }
+  }
+
+  private void note(VisibleSet visible) {
+    visible.calls.forEach(item -> inView.set(unseen.group(item.shape().index())));
   }
 
   /**

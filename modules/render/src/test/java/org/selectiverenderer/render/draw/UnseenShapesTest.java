@@ -177,6 +177,28 @@ class UnseenShapesTest {
   }
 
   @Test
+  void whatIsBeingFadedIsInView() {
+    renderer.dispose(studio.gl());
+    renderer = new SceneRenderer(2, ShadingMode.PIXEL, new UnseenShapes.Limits(0, 240, 0, 100));
+    scene =
+        TestScene.of(
+            "<Transform translation='0 0 -4'><Switch DEF='S' whichChoice='0'>%s%s</Switch></Transform>"
+                .formatted(thing("Sphere", 1), thing("Cone", 2)));
+    shoot(eye(0, 0));
+    Node versions = scene.loaded().scene().find("S").orElseThrow();
+    scene.tree().fades().at(0);
+    scene.tree().fades().begin(versions, 0, 1, 10);
+    scene.set("S", "whichChoice", 1);
+    scene.tree().fades().at(5);
+    shoot(eye(0, 0));
+    shoot(eye(0, 0));
+    long uploads = renderer.uploads();
+    shoot(eye(0, 0));
+    shoot(eye(0, 0));
+    assertThat(renderer.uploads()).as("nothing is given up and made again").isEqualTo(uploads);
+  }
+
+  @Test
   void ofASceneThatGrowsWhatIsFarIsGivenUp() {
     renderer.dispose(studio.gl());
     renderer = new SceneRenderer(2, ShadingMode.PIXEL, new UnseenShapes.Limits(2000, 240, 0, 2000));

@@ -1,15 +1,20 @@
 package org.selectiverenderer.study.definition;
 
 import java.nio.file.Path;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.selectiverenderer.apparatus.DisplayMode;
 import org.selectiverenderer.apparatus.MouseButtonMapping;
+import org.selectiverenderer.schema.Quality;
+import org.selectiverenderer.schema.QualityRule;
 import org.selectiverenderer.schema.SwitchTransition;
 import org.selectiverenderer.study.design.StudyDesign;
 import org.selectiverenderer.study.design.Trial;
 import org.selectiverenderer.study.design.TrialPhase;
+import org.selectiverenderer.study.design.TrialSettings;
 import org.selectiverenderer.tracker.TrackerSpec;
 import org.selectiverenderer.x3d.url.ContentAccessPolicy;
 
@@ -35,6 +40,7 @@ import org.selectiverenderer.x3d.url.ContentAccessPolicy;
  * @param mute whether the scenes are shown without sound
  * @param triggers signals that sessions send by a serial port
  * @param transition how objects change their versions, where a trial does not say otherwise
+ * @param qualities what decides the levels of qualities, where neither trial nor condition does
  */
 public record Study(
     Path file,
@@ -60,9 +66,11 @@ public record Study(
     ContentAccessPolicy access,
     boolean mute,
     Optional<TriggerSettings> triggers,
-    SwitchTransition transition) {
+    SwitchTransition transition,
+    Map<Quality, QualityRule> qualities) {
 
   public Study {
+    qualities = Map.copyOf(qualities);
     areas = List.copyOf(areas);
     languages = List.copyOf(languages);
   }
@@ -137,6 +145,14 @@ public record Study(
     return trial.settings().scene().or(() -> scene);
   }
 
+  /** Returns what decides the levels of qualities in a trial or group, apart from the condition. */
+  public Map<Quality, QualityRule> qualities(TrialSettings settings) {
+    Map<Quality, QualityRule> rules = new EnumMap<>(Quality.class);
+    rules.putAll(qualities);
+    rules.putAll(settings.qualities());
+    return rules;
+  }
+
   /** Returns the DEF of the viewpoint of a trial; empty for the first of the scene. */
   public Optional<String> viewpoint(Trial trial) {
     return trial
@@ -191,7 +207,8 @@ public record Study(
         access,
         mute,
         triggers,
-        transition);
+        transition,
+        qualities);
   }
 
   /** Returns the seed of a participant's condition {@code random}, always the same for them. */

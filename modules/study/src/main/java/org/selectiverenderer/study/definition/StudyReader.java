@@ -187,7 +187,8 @@ public final class StudyReader {
             ContentAccessKeys.of(keys, file.toAbsolutePath()),
             keys.truth("mute", false),
             TriggerSettingsReader.read(keys, design),
-            TrialSettingsReader.transition(keys).orElse(SwitchTransition.AT_ONCE));
+            TrialSettingsReader.transition(keys).orElse(SwitchTransition.AT_ONCE),
+            TrialSettingsReader.qualities(keys));
     if (areas.isEmpty() && design.blocks().isEmpty() && study.questionnaires().list().isEmpty()) {
       keys.fault(
           "the study has neither areas nor blocks nor questionnaires, so there is nothing to do");

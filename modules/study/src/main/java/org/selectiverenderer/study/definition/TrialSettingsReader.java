@@ -3,6 +3,7 @@ package org.selectiverenderer.study.definition;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -16,6 +17,8 @@ import org.selectiverenderer.formats.csv.CsvRow;
 import org.selectiverenderer.formats.csv.CsvTable;
 import org.selectiverenderer.formats.json.JsonObjectReader;
 import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.schema.Quality;
+import org.selectiverenderer.schema.QualityRule;
 import org.selectiverenderer.schema.SwitchTransition;
 import org.selectiverenderer.study.definition.StudyQuestionnairesReader.FileOfKey;
 import org.selectiverenderer.study.design.TrialPhase;
@@ -73,7 +76,31 @@ final class TrialSettingsReader {
             : Optional.empty(),
         display.flatMap(Display::mode),
         display.map(Display::ipd).orElse(OptionalDouble.empty()),
-        transition(keys));
+        transition(keys),
+        qualities(keys));
+  }
+
+  /** Reads what decides the levels of qualities; the condition decides those that are missing. */
+  static Map<Quality, QualityRule> qualities(JsonObjectReader keys) {
+    Map<Quality, QualityRule> rules = new EnumMap<>(Quality.class);
+    keys.object(
+        "qualities",
+        "the qualities",
+        each -> {
+          for (Quality quality : Quality.values()) {
+            if (each.has(quality.spelling())) {
+              rules.put(
+                  quality,
+                  each.choice(
+                      quality.spelling(),
+                      List.of(QualityRule.values()),
+                      QualityRule::spelling,
+                      QualityRule.SELECTIVE));
+            }
+          }
+          return rules;
+        });
+    return rules;
   }
 
   /** Reads how objects change their versions, which may be missing. */

@@ -7,6 +7,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.selectiverenderer.apparatus.DisplayMode;
 import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.schema.Quality;
+import org.selectiverenderer.schema.QualityRule;
 import org.selectiverenderer.schema.SwitchTransition;
 
 /**
@@ -26,6 +28,7 @@ import org.selectiverenderer.schema.SwitchTransition;
  * @param mode the display mode
  * @param ipd interpupillary distance in millimetres; 0 shows both eyes the same picture
  * @param transition how objects change their versions
+ * @param qualities what decides the levels of qualities, where the condition does not
  */
 public record TrialSettings(
     Optional<Condition> condition,
@@ -37,7 +40,8 @@ public record TrialSettings(
     Optional<Boolean> headlight,
     Optional<DisplayMode> mode,
     OptionalDouble ipd,
-    Optional<SwitchTransition> transition) {
+    Optional<SwitchTransition> transition,
+    Map<Quality, QualityRule> qualities) {
   /** Settings that determine nothing. */
   public static final TrialSettings NONE =
       new TrialSettings(
@@ -53,9 +57,10 @@ public record TrialSettings(
 
   public TrialSettings {
     choices = Map.copyOf(choices);
+    qualities = Map.copyOf(qualities);
   }
 
-  /** Creates settings that leave open how objects change their versions. */
+  /** Creates settings that leave changes of versions open, and all qualities to the condition. */
   public TrialSettings(
       Optional<Condition> condition,
       Map<String, Integer> choices,
@@ -76,7 +81,8 @@ public record TrialSettings(
         headlight,
         mode,
         ipd,
-        Optional.empty());
+        Optional.empty(),
+        Map.of());
   }
 
   /** Returns settings that determine the condition alone. */
@@ -97,6 +103,8 @@ public record TrialSettings(
   public TrialSettings over(TrialSettings general) {
     Map<String, Integer> all = new LinkedHashMap<>(general.choices);
     all.putAll(choices);
+    Map<Quality, QualityRule> rules = new LinkedHashMap<>(general.qualities);
+    rules.putAll(qualities);
     return new TrialSettings(
         condition.or(() -> general.condition),
         all,
@@ -108,6 +116,7 @@ public record TrialSettings(
         headlight.or(() -> general.headlight),
         mode.or(() -> general.mode),
         ipd.isPresent() ? ipd : general.ipd,
-        transition.or(() -> general.transition));
+        transition.or(() -> general.transition),
+        rules);
   }
 }

@@ -134,7 +134,8 @@ public final class PreviewSession {
         study.access(),
         study.mute(),
         Optional.empty(),
-        study.transition());
+        study.transition(),
+        study.qualities());
   }
 
   private static OptionalDouble shortened(OptionalDouble seconds, double speed) {
@@ -163,7 +164,8 @@ public final class PreviewSession {
         settings.headlight(),
         settings.mode(),
         settings.ipd(),
-        settings.transition());
+        settings.transition(),
+        settings.qualities());
   }
 
   private static TrialBlock shortened(TrialBlock block, double speed) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -14,9 +15,12 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.selectiverenderer.base.problem.ProblemCollector;
 import org.selectiverenderer.schema.Condition;
+import org.selectiverenderer.schema.Quality;
+import org.selectiverenderer.schema.QualityRule;
 import org.selectiverenderer.schema.SwitchTransition;
 import org.selectiverenderer.study.design.StudyGroup;
 import org.selectiverenderer.study.design.TrialBlock;
+import org.selectiverenderer.study.design.TrialSettings;
 
 class StudyDesignReaderTest {
   private static final String STUDY =
@@ -70,6 +74,46 @@ class StudyDesignReaderTest {
         .contains(new SwitchTransition.Unseen(SwitchTransition.TURN));
     assertThat(read(STUDY, problems).orElseThrow().transition())
         .isEqualTo(SwitchTransition.AT_ONCE);
+  }
+
+  @Test
+  void qualitiesAreOfTheStudyABlockOrALevelEachByItself() throws IOException {
+    ProblemCollector problems = new ProblemCollector();
+    String text =
+        STUDY
+            .replaceFirst("\\{", "{\"qualities\": {\"textures\": \"low\", \"light\": \"high\"}, ")
+            .replace("\"viewpoint\": \"Door\"", "\"qualities\": {\"shading\": \"low\"}")
+            .replace(
+                "\"full\", \"condition\": \"high\"",
+                "\"full\", \"qualities\": {\"light\": \"selective\", \"shading\": \"high\"}");
+    Study study = read(text, problems).orElseThrow(() -> new AssertionError(problems.list()));
+    assertThat(study.qualities())
+        .isEqualTo(Map.of(Quality.TEXTURES, QualityRule.LOW, Quality.LIGHT, QualityRule.HIGH));
+    TrialBlock block = study.design().blocks().get(0);
+    TrialSettings full = block.factors().get(0).levels().get(0).settings();
+    assertThat(study.qualities(full.over(block.settings())))
+        .isEqualTo(
+            Map.of(
+                Quality.TEXTURES,
+                QualityRule.LOW,
+                Quality.LIGHT,
+                QualityRule.SELECTIVE,
+                Quality.SHADING,
+                QualityRule.HIGH));
+    assertThat(study.qualities(block.settings()))
+        .containsEntry(Quality.SHADING, QualityRule.LOW)
+        .containsEntry(Quality.LIGHT, QualityRule.HIGH);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"{\"colour\": \"low\"}", "{\"light\": \"dim\"}", "\"low\""})
+  void anotherQualityOrLevelIsAFaultWithItsPlace(String qualities) throws IOException {
+    ProblemCollector problems = new ProblemCollector();
+    String text = STUDY.replaceFirst("\\{", "{\"qualities\": " + qualities + ", ");
+    assertThat(read(text, problems)).isEmpty();
+    assertThat(problems.list())
+        .first()
+        .satisfies(problem -> assertThat(problem.location().line()).isEqualTo(1));
   }
 
   @ParameterizedTest

@@ -22,7 +22,6 @@ import org.selectiverenderer.x3d.read.ParsedNode;
 
 /** Checks the field qualities of each Switch against the nodes of its file. */
 final class FieldQualityCheck implements EnrichedSceneCheck {
-  /** The types that the controller sets. */
   private final FieldParser parser = new FieldParser();
 
   @Override

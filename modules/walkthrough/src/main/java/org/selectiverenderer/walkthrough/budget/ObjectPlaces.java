@@ -2,14 +2,17 @@ package org.selectiverenderer.walkthrough.budget;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashSet;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.browser.instance.GroupInstance;
 import org.selectiverenderer.browser.instance.Instance;
 import org.selectiverenderer.browser.instance.InstanceTree;
@@ -29,17 +32,31 @@ import org.web3d.x3d.sai.X3DNode;
  * <p>The numbers stand in arrays, since all of them are needed in every frame.
  */
 public final class ObjectPlaces {
+  /**
+   * The size of an object in one place.
+   *
+   * @param radius of a sphere around it
+   * @param disc radius of a disc as large as its mean shadow
+   * @param localMiddle in the coordinates of the place
+   */
+  private record Size(double radius, double disc, Vector3d localMiddle) {}
+
   private final List<ChoosableObject> objects;
+  private final Function<X3DNode, Node> nodes;
+  private final long structure;
+  private final Set<Node> switches;
+  private final Node[] switchNodes;
   private final List<VersionChoices> choices = new ArrayList<>();
   private final Instance[][] instances;
   private final long[][] costs;
   private boolean nested;
+  private int measured;
 
   /** For each object: the first of its places; one more at the end. */
   private final int[] first;
 
   private final List<Instance> places = new ArrayList<>();
-  private final List<Vector3d> localMiddles = new ArrayList<>();
+  private final List<Vector3d> localMiddles;
   private final double[] x;
   private final double[] y;
   private final double[] z;
@@ -64,38 +81,95 @@ public final class ObjectPlaces {
    */
   public ObjectPlaces(
       List<ChoosableObject> objects, InstanceTree tree, Function<X3DNode, Node> nodes) {
+    this(objects, tree, nodes, null);
+  }
+
+  private ObjectPlaces(
+      List<ChoosableObject> objects,
+      InstanceTree tree,
+      Function<X3DNode, Node> nodes,
+      @Nullable ObjectPlaces before) {
     this.objects = objects;
-    Set<Node> switches = new HashSet<>();
+    this.nodes = nodes;
+    structure = tree.structureVersion();
+    switches = Collections.newSetFromMap(new IdentityHashMap<>());
     objects.forEach(object -> switches.add(nodes.apply(object.node())));
-    first = new int[objects.size() + 1];
-    unexpected = new double[objects.size()];
-    instances = new Instance[objects.size()][];
-    costs = new long[objects.size()][];
-    List<BoundingBox> bounds = new ArrayList<>();
-    for (int i = 0; i < objects.size(); i++) {
-      List<Instance> found = tree.instances(nodes.apply(objects.get(i).node()));
+    int count = objects.size();
+    first = new int[count + 1];
+    unexpected = new double[count];
+    switchNodes = new Node[count];
+    instances = new Instance[count][];
+    costs = new long[count][];
+    List<Size> sizes = new ArrayList<>();
+    Map<Node, Integer> unchanged = before == null ? Map.of() : before.unchanged(switches, tree);
+    for (int i = 0; i < count; i++) {
+      Node node = nodes.apply(objects.get(i).node());
+      List<Instance> found = tree.instances(node);
+      switchNodes[i] = node;
       instances[i] = found.toArray(Instance[]::new);
-      costs[i] = measure(objects.get(i), found, switches, bounds);
+      Integer known = unchanged.get(node);
+      costs[i] =
+          before != null && known != null && before.costs[known].length == versions(i)
+              ? takeOver(before, known, sizes)
+              : measure(found, versions(i), sizes);
       choices.add(choices(costs[i], found.size()));
       first[i + 1] = places.size();
     }
-    int count = places.size();
-    x = new double[count];
-    y = new double[count];
-    z = new double[count];
-    radius = new double[count];
-    disc = new double[count];
-    for (int place = 0; place < count; place++) {
-      size(place, bounds.get(place));
-    }
+    localMiddles = sizes.stream().map(Size::localMiddle).toList();
+    radius = sizes.stream().mapToDouble(Size::radius).toArray();
+    disc = sizes.stream().mapToDouble(Size::disc).toArray();
+    x = new double[sizes.size()];
+    y = new double[sizes.size()];
+    z = new double[sizes.size()];
     Arrays.fill(unexpected, 1);
     moved(tree);
   }
 
-  /** Adds an object's places and their bounds; returns the triangles of its versions. */
-  private long[] measure(
-      ChoosableObject object, List<Instance> found, Set<Node> switches, List<BoundingBox> bounds) {
-    int versions = object.versions();
+  private int versions(int object) {
+    return objects.get(object).versions();
+  }
+
+  /**
+   * Measures objects after a change of the scene's structure. What was measured here and has not
+   * changed is taken over.
+   */
+  ObjectPlaces after(List<ChoosableObject> now, InstanceTree tree) {
+    return new ObjectPlaces(now, tree, nodes, this);
+  }
+
+  /** Returns the numbers of the objects whose instances are still those that were measured. */
+  private Map<Node, Integer> unchanged(Set<Node> switchesNow, InstanceTree tree) {
+    Map<Node, Integer> unchanged = new IdentityHashMap<>();
+    if (nested || !switches.equals(switchesNow)) {
+      return unchanged; // A version may have another object inside, or one less.
+    }
+    for (int i = 0; i < switchNodes.length; i++) {
+      List<Instance> now = tree.instances(switchNodes[i]);
+      boolean same = now.size() == instances[i].length;
+      for (int place = 0; same && place < now.size(); place++) {
+        same =
+            now.get(place) == instances[i][place]
+                && ((GroupInstance) now.get(place)).restructured() <= structure;
+      }
+      if (same) {
+        unchanged.put(switchNodes[i], i);
+      }
+    }
+    return unchanged;
+  }
+
+  private long[] takeOver(ObjectPlaces before, int object, List<Size> sizes) {
+    for (int place = before.first[object]; place < before.first[object + 1]; place++) {
+      places.add(before.places.get(place));
+      sizes.add(
+          new Size(before.radius[place], before.disc[place], before.localMiddles.get(place)));
+    }
+    return before.costs[object];
+  }
+
+  /** Adds an object's places and their sizes; returns the triangles of its versions. */
+  private long[] measure(List<Instance> found, int versions, List<Size> sizes) {
+    measured++;
     long[] triangles = new long[versions];
     for (Instance instance : found) {
       List<Instance> children = ((GroupInstance) instance).children();
@@ -115,7 +189,7 @@ public final class ObjectPlaces {
       }
       if (!all.isEmpty()) {
         places.add(instance);
-        bounds.add(all);
+        sizes.add(size(instance, all));
       }
     }
     return triangles;
@@ -130,19 +204,20 @@ public final class ObjectPlaces {
   }
 
   /**
-   * Sets the size of an object by its box: the mean shadow of a convex body is a quarter of its
+   * Returns the size of an object by its box: the mean shadow of a convex body is a quarter of its
    * surface (Cauchy).
    */
-  private void size(int place, BoundingBox box) {
+  private static Size size(Instance place, BoundingBox box) {
     double w = box.width();
     double h = box.height();
     double d = box.depth();
-    radius[place] = Math.sqrt(w * w + h * h + d * d) / 2;
-    disc[place] = Math.sqrt((w * h + h * d + d * w) / 2 / Math.PI);
     Vector3d middle = box.min().add(box.max()).mul(0.5);
-    Matrix4d inverse = places.get(place).world().invert(new Matrix4d());
-    // Under a scale of 0 the object has no extent either, and stays where it is.
-    localMiddles.add(inverse.isFinite() ? inverse.transformPosition(middle) : middle);
+    Matrix4d inverse = place.world().invert(new Matrix4d());
+    return new Size(
+        Math.sqrt(w * w + h * h + d * d) / 2,
+        Math.sqrt((w * h + h * d + d * w) / 2 / Math.PI),
+        // Under a scale of 0 the object has no extent either, and stays where it is.
+        inverse.isFinite() ? inverse.transformPosition(middle) : middle);
   }
 
   /** Moves the objects to where their instances are now. */
@@ -203,6 +278,16 @@ public final class ObjectPlaces {
   /** Returns the radius of a disc as large as the mean shadow of the object; 0 for none. */
   public double radius(int object) {
     return first[object] < first[object + 1] ? disc[first[object]] : 0;
+  }
+
+  /** Returns how many objects were measured, rather than taken over. */
+  int measured() {
+    return measured;
+  }
+
+  /** Returns the Switch of an object. */
+  Node node(int object) {
+    return switchNodes[object];
   }
 
   /** Returns the number of places of an object. */

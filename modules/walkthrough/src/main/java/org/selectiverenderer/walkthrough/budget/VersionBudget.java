@@ -1,12 +1,17 @@
 package org.selectiverenderer.walkthrough.budget;
 
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.base.decimal.Pluralizer;
 import org.selectiverenderer.base.problem.SourceLocation;
+import org.selectiverenderer.browser.LayerView;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.instance.InstanceTree;
 import org.selectiverenderer.browser.scene.Node;
@@ -50,6 +55,7 @@ public final class VersionBudget {
   private long triangles;
   private double lastDrawn = Double.NaN;
   private boolean toldTooSmall;
+  private boolean toldOfLayers;
 
   /**
    * Keeps a world within a budget from now on: it chooses in every step.
@@ -105,16 +111,17 @@ public final class VersionBudget {
     return triangles;
   }
 
+  /** Returns how many objects were measured as the structure last changed, for the test. */
+  int measured() {
+    return places.measured();
+  }
+
   private void choose() {
     InstanceTree now = world.instances();
     List<ChoosableObject> choosable = controller.choosable();
     boolean other = choosable != objects || now != tree || structure != now.structureVersion();
     if (other) {
-      objects = choosable;
-      tree = now;
-      structure = now.structureVersion();
-      places = new ObjectPlaces(objects, now, nodes);
-      problem = new MultipleChoiceKnapsack(places.choices(), HYSTERESIS);
+      restructure(choosable, now);
     } else if (places.stale(now)) {
       places.moved(now);
     }
@@ -133,10 +140,60 @@ public final class VersionBudget {
     double time = world.cascade().time();
     if (other) {
       for (int i = 0; i < objects.size(); i++) {
-        show(i, time);
+        if (places.count(i) > 0) {
+          show(i, time);
+        }
       }
+      tellOfLayers();
     } else {
       problem.forEachChanged(i -> show(i, time));
+    }
+  }
+
+  /** Tells, once, of objects that are seen only in layers of which the budget knows nothing. */
+  private void tellOfLayers() {
+    List<Node> apart = new ArrayList<>();
+    for (LayerView layer : toldOfLayers ? List.<LayerView>of() : world.layers()) {
+      for (int i = 0; i < objects.size(); i++) {
+        if (places.count(i) == 0 && !layer.instances().instances(places.node(i)).isEmpty()) {
+          apart.add(places.node(i));
+        }
+      }
+    }
+    if (apart.isEmpty()) {
+      return;
+    }
+    toldOfLayers = true;
+    Node first = apart.get(0);
+    world
+        .problems()
+        .warning(
+            first.location(),
+            "%s is in a layer that is not the active one%s; a budget leaves its version as it is"
+                .formatted(
+                    first.name() == null ? "a Switch" : "\"" + first.name() + "\"",
+                    apart.size() == 1
+                        ? ""
+                        : ", like " + Pluralizer.of(apart.size() - 1, "other object")));
+  }
+
+  /** Follows a change of the scene's structure; objects that stay keep what was chosen. */
+  private void restructure(List<ChoosableObject> choosable, InstanceTree now) {
+    Map<Node, Integer> before = new IdentityHashMap<>();
+    for (int i = 0; i < objects.size(); i++) {
+      before.put(places.node(i), problem.choice(i));
+    }
+    places =
+        now == tree ? places.after(choosable, now) : new ObjectPlaces(choosable, now, nodes);
+    objects = choosable;
+    tree = now;
+    structure = now.structureVersion();
+    problem = new MultipleChoiceKnapsack(places.choices(), HYSTERESIS);
+    for (int i = 0; i < objects.size(); i++) {
+      Integer chosen = before.get(places.node(i));
+      if (chosen != null) {
+        problem.resume(i, chosen);
+      }
     }
   }
 

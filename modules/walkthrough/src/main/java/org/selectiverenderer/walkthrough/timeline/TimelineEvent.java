@@ -1,5 +1,6 @@
 package org.selectiverenderer.walkthrough.timeline;
 
+import java.util.List;
 import java.util.Map;
 import org.selectiverenderer.control.ControlEvent;
 
@@ -29,12 +30,18 @@ public sealed interface TimelineEvent {
    * @param polygons polygons of the whole scene with its current versions, visible or not
    * @param waiting the choices that were wanted and could not be shown unseen, by the Switches'
    *     names
+   * @param qualities how long fields had which levels, for each quality that has fields
    */
-  record End(double t, long frames, PolygonSpan polygons, Map<String, Integer> waiting)
+  record End(
+      double t,
+      long frames,
+      PolygonSpan polygons,
+      Map<String, Integer> waiting,
+      List<QualityLevels> qualities)
       implements TimelineEvent {
-    /** Creates the end of a walkthrough in which no choice waits. */
+    /** Creates the end of a walkthrough without fields in which no choice waits. */
     public End(double t, long frames, PolygonSpan polygons) {
-      this(t, frames, polygons, Map.of());
+      this(t, frames, polygons, Map.of(), List.of());
     }
   }
 

@@ -1,5 +1,6 @@
 package org.selectiverenderer.walkthrough.timeline;
 
+import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Optional;
 import org.selectiverenderer.base.decimal.DecimalRounding;
@@ -41,6 +42,10 @@ public final class TimelineJson {
         ObjectNode waiting = node.putObject("waiting");
         end.waiting().forEach(waiting::put);
       }
+      if (!end.qualities().isEmpty()) {
+        ObjectNode qualities = node.putObject("qualities");
+        end.qualities().forEach(each -> put(qualities, each));
+      }
     }
     return node.toString();
   }
@@ -78,6 +83,18 @@ public final class TimelineJson {
           .put("to", change.to())
           .put("schema", change.schema());
       change.seen().ifPresent(seen -> put(node, seen));
+    }
+  }
+
+  private static void put(ObjectNode node, QualityLevels quality) {
+    ObjectNode each = node.putObject(quality.quality().spelling());
+    ArrayNode levels = each.put("fields", quality.fields()).putArray("levels");
+    for (QualityLevels.Level level : quality.levels()) {
+      levels
+          .addObject()
+          .put("level", level.level())
+          .put("seconds", DecimalRounding.to(3, level.seconds()))
+          .put("end", level.end());
     }
   }
 

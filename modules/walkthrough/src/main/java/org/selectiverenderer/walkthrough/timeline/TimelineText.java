@@ -3,6 +3,7 @@ package org.selectiverenderer.walkthrough.timeline;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.selectiverenderer.base.decimal.Pluralizer;
 import org.selectiverenderer.control.ChoiceCause;
@@ -49,7 +50,28 @@ public final class TimelineText {
                 end.polygons().start(),
                 end.polygons().end(),
                 end.polygons().max())
-            + waiting(end.waiting()));
+            + waiting(end.waiting())
+            + end.qualities().stream()
+                .map(quality -> "; " + levels(quality))
+                .collect(Collectors.joining()));
+  }
+
+  private static String levels(QualityLevels quality) {
+    StringBuilder text = new StringBuilder(quality.quality().spelling());
+    text.append(" of ").append(Pluralizer.of(quality.fields(), "field"));
+    boolean first = true;
+    for (QualityLevels.Level level : quality.levels()) {
+      text.append(first ? ": " : ", ");
+      text.append(level.level() < 0 ? "no level" : "level " + level.level());
+      if (quality.seconds() > 0) {
+        text.append(
+            String.format(Locale.ROOT, " for %.0f %%", 100 * level.seconds() / quality.seconds()));
+        text.append(first ? " of the time" : "");
+      }
+      text.append(" (").append(level.end()).append(first ? " at the end)" : ")");
+      first = false;
+    }
+    return text.toString();
   }
 
   private String line(double t, ControlEvent event) {
@@ -66,9 +88,15 @@ public final class TimelineText {
       return row(
           t,
           "field",
-          "%s: %s of %s level %s -> %s%s"
+          "%s: %s of %s level %s -> %s%s%s"
               .formatted(
-                  f.object(), f.quality().spelling(), f.field(), f.from(), f.to(), by(f.schema())));
+                  f.object(),
+                  f.quality().spelling(),
+                  f.field(),
+                  f.from(),
+                  f.to(),
+                  by(f.schema()),
+                  sight(f.seen())));
     }
     ControlEvent.SwitchChange s = (ControlEvent.SwitchChange) event;
     return row(
@@ -80,7 +108,11 @@ public final class TimelineText {
                 s.from(),
                 s.to(),
                 by(s.cause()),
-                sights ? s.seen().map(TimelineText::sight).orElse("") : ""));
+                sight(s.seen())));
+  }
+
+  private String sight(Optional<SwitchVisibility> seen) {
+    return sights ? seen.map(TimelineText::sight).orElse("") : "";
   }
 
   private static String sight(SwitchVisibility seen) {

@@ -1,13 +1,16 @@
 package org.selectiverenderer.walkthrough.transition;
 
 import java.util.ArrayList;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.browser.collision.MeshBvhCache;
 import org.selectiverenderer.browser.collision.RayCaster;
 import org.selectiverenderer.browser.instance.ExtendedMaterial;
+import org.selectiverenderer.browser.instance.InstanceTree;
 import org.selectiverenderer.browser.instance.ShapeInstance;
 import org.selectiverenderer.browser.instance.SurfaceMaterial;
 import org.selectiverenderer.browser.instance.TextureUnit;
@@ -17,16 +20,18 @@ final class SightRays {
   /** The number of transparent surfaces that a ray passes; what is behind them counts as seen. */
   private static final int MOST_PASSED = 16;
 
-  private final RayCaster caster;
+  private final MeshBvhCache hierarchies;
+  private final Map<InstanceTree, RayCaster> casters = new IdentityHashMap<>();
   private int cast;
 
-  SightRays(RayCaster caster) {
-    this.caster = caster;
+  SightRays(MeshBvhCache hierarchies) {
+    this.hierarchies = hierarchies;
   }
 
-  /** Begins to count anew. */
-  void begin() {
+  /** Begins to count anew, and forgets all trees but some. */
+  void begin(List<InstanceTree> trees) {
     cast = 0;
+    casters.keySet().removeIf(tree -> !trees.contains(tree));
   }
 
   /** Returns the number of rays since the count began. */
@@ -35,12 +40,14 @@ final class SightRays {
   }
 
   /**
-   * Returns the first shape on a ray that hides what is behind it, or that is of an object; empty
-   * for none.
+   * Returns the first shape of a tree on a ray that hides what is behind it, or that is of
+   * an object; empty for none.
    *
    * @param most length of the ray in world units; may be infinite
    */
   Optional<RayCaster.Hit> first(Vector3dc from, Vector3dc ray, double most, ShownObject object) {
+    RayCaster caster =
+        casters.computeIfAbsent(object.tree(), tree -> new RayCaster(tree, hierarchies));
     Vector3d start = new Vector3d(from);
     double left = most;
     for (int passed = 0; passed < MOST_PASSED; passed++) {

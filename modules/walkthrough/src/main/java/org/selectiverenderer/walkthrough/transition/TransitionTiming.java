@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Function;
 import org.joml.Quaterniond;
+import org.selectiverenderer.browser.LayerView;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.collision.MeshBvhCache;
 import org.selectiverenderer.browser.nodes.group.SwitchNode;
@@ -86,8 +87,8 @@ public final class TransitionTiming implements SwitchTiming, AutoCloseable {
    * @param now the time of the frame in seconds
    */
   public void begin(double now) {
-    world.instances().fades().at(now);
     estimator.begin();
+    fade(now);
     granted.clear();
     if (!unfinished) {
       asked.clear();
@@ -97,9 +98,15 @@ public final class TransitionTiming implements SwitchTiming, AutoCloseable {
 
   /** Ends a frame, after the world's step and the controller's last question. */
   public void end() {
-    world.instances().fades().at(world.time());
+    fade(world.time());
     before.set(world.viewer().orientation());
     time = world.time();
+  }
+
+  private void fade(double now) {
+    if (transition instanceof SwitchTransition.Fade) {
+      estimator.layers().forEach(layer -> layer.instances().fades().at(now));
+    }
   }
 
   private boolean nothingSeen() {
@@ -146,7 +153,10 @@ public final class TransitionTiming implements SwitchTiming, AutoCloseable {
     if (transition instanceof SwitchTransition.Fade fade
         && !nothingSeen()
         && shown(node) != choice) {
-      world.instances().fades().begin(node, shown(node), choice, fade.milliseconds() / 1000);
+      double seconds = fade.milliseconds() / 1000;
+      for (LayerView layer : estimator.layers()) {
+        layer.instances().fades().begin(node, shown(node), choice, seconds);
+      }
     }
     return seen;
   }

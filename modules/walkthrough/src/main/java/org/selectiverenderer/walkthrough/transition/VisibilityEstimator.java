@@ -6,12 +6,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.jspecify.annotations.Nullable;
+import org.selectiverenderer.browser.LayerView;
 import org.selectiverenderer.browser.World;
 import org.selectiverenderer.browser.camera.Camera;
-import org.selectiverenderer.browser.camera.EyeCameras;
 import org.selectiverenderer.browser.collision.MeshBvhCache;
-import org.selectiverenderer.browser.collision.RayCaster;
 import org.selectiverenderer.browser.instance.GroupInstance;
 import org.selectiverenderer.browser.instance.Instance;
 import org.selectiverenderer.browser.instance.InstanceTree;
@@ -53,25 +51,29 @@ final class VisibilityEstimator {
   }
 
   private final World world;
+  private final LayerEyes eyes;
+  private final SightRays rays;
   private final Map<Instance, VersionSurface> known = new IdentityHashMap<>();
-  private @Nullable InstanceTree tree;
+  private List<InstanceTree> seen = List.of();
   private long structure;
-  private SightRays rays;
+  private boolean began;
 
   VisibilityEstimator(World world) {
     this.world = world;
-    rays = new SightRays(new RayCaster(world.instances(), world.meshes()));
-    tree = world.instances();
+    eyes = new LayerEyes(world);
+    rays = new SightRays(world.meshes());
   }
 
   /** Promises the hierarchies of large meshes; returns what builds them. */
   List<MeshBvhCache.Task> prepare() {
     Set<Mesh> large = new LinkedHashSet<>();
     long triangles = 0;
-    for (ShapeInstance shape : world.instances().shapes()) {
-      Optional<Mesh> mesh = shape.mesh().filter(of -> of.polygons() > LARGE);
-      if (mesh.isPresent() && triangles + mesh.get().polygons() <= MOST_PREPARED) {
-        triangles += large.add(mesh.get()) ? mesh.get().polygons() : 0;
+    for (LayerView layer : layers()) {
+      for (ShapeInstance shape : layer.instances().shapes()) {
+        Optional<Mesh> mesh = shape.mesh().filter(of -> of.polygons() > LARGE);
+        if (mesh.isPresent() && triangles + mesh.get().polygons() <= MOST_PREPARED) {
+          triangles += large.add(mesh.get()) ? mesh.get().polygons() : 0;
+        }
       }
     }
     return world.meshes().prepare(large);
@@ -79,7 +81,13 @@ final class VisibilityEstimator {
 
   /** Begins a frame, in which as many rays may be cast as in any other. */
   void begin() {
-    rays.begin();
+    eyes.begin();
+    began = false;
+  }
+
+  /** Returns the layers of the frame in which objects may be seen. */
+  List<LayerView> layers() {
+    return eyes.layers();
   }
 
   /**
@@ -91,44 +99,49 @@ final class VisibilityEstimator {
    *     ends the search
    */
   Optional<Estimate> of(Node switchNode, int shown, int other, boolean exactly) {
+    follow();
     Estimate all = Estimate.NOTHING;
-    List<Camera> eyes = EyeCameras.of(world);
-    for (Instance instance : tree().instances(switchNode)) {
-      if (!(instance instanceof GroupInstance group) || !group.shown()) {
-        continue;
-      }
-      ShownObject object =
-          new ShownObject(group, surface(group, shown), surface(group, other));
-      for (Camera eye : eyes) {
-        ObjectView view = new ObjectView(eye, object, rays, world.meshes());
-        if (!view.enters()) {
+    for (LayerView layer : layers()) {
+      for (Instance instance : layer.instances().instances(switchNode)) {
+        if (!(instance instanceof GroupInstance group) || !group.shown()) {
           continue;
         }
-        if (rays.cast() > MOST_RAYS) {
-          return Optional.empty();
-        }
-        Estimate one = view.look(rays.cast() > MOST_RAYS / 2 ? FEWER_RAYS : RAYS, exactly);
-        all = new Estimate(all.visible || one.visible, Math.max(all.pixels, one.pixels));
-        if (all.visible && !exactly) {
-          return Optional.of(all);
+        ShownObject object =
+            new ShownObject(
+                layer.instances(), group, surface(group, shown), surface(group, other));
+        for (Camera eye : eyes.of(layer)) {
+          ObjectView view = new ObjectView(eye, object, rays, world.meshes());
+          if (!view.enters()) {
+            continue;
+          }
+          if (rays.cast() > MOST_RAYS) {
+            return Optional.empty();
+          }
+          Estimate one = view.look(rays.cast() > MOST_RAYS / 2 ? FEWER_RAYS : RAYS, exactly);
+          all = new Estimate(all.visible || one.visible, Math.max(all.pixels, one.pixels));
+          if (all.visible && !exactly) {
+            return Optional.of(all);
+          }
         }
       }
     }
     return Optional.of(all);
   }
 
-  private InstanceTree tree() {
-    InstanceTree now = world.instances();
-    if (now != tree) {
-      tree = now;
-      rays = new SightRays(new RayCaster(now, world.meshes()));
-      known.clear();
+  /** Follows the layers and their structure, once in a frame in which anything is asked. */
+  private void follow() {
+    if (began) {
+      return;
     }
-    if (structure != now.structureVersion()) {
-      structure = now.structureVersion();
+    began = true;
+    List<InstanceTree> trees = layers().stream().map(LayerView::instances).toList();
+    rays.begin(trees);
+    long now = trees.stream().mapToLong(InstanceTree::structureVersion).sum();
+    if (now != structure || !trees.equals(seen)) {
+      structure = now;
+      seen = trees;
       known.clear(); // Instances may be gone.
     }
-    return now;
   }
 
   private VersionSurface surface(GroupInstance group, int version) {

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.base.problem.Problem;
+import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.browser.viewer.Viewer;
 import org.selectiverenderer.control.ControlEvent;
 import org.selectiverenderer.control.SelectiveController.Settings;
@@ -129,6 +130,48 @@ class VersionBudgetTest {
     assertThat(walk.polygons()).isEqualTo(12 + 1200 + 12);
   }
 
+  /** Lets a Group of a running scene have other children. */
+  private void replace(String group, String children) {
+    Node node = walk.world().scene().find(group).orElseThrow();
+    Node other = walk.world().scene().find(children).orElseThrow();
+    List<Node> now = new ArrayList<>(other.nodes("children"));
+    walk.world().cascade().send(node, node.type().indexOf("children"), now);
+  }
+
+  @Test
+  void aChangeOfStructureKeepsTheChoices() throws IOException {
+    String spare = "<Switch whichChoice='-1'><Group DEF='Spare'><Shape/></Group></Switch>";
+    open("triangles:1400", FLOOR, LEFT, RIGHT, "<Group DEF='Late'/>", spare);
+    look(-2, 0, 0);
+    assertThat(changed()).isEqualTo(Map.of("Left", 0));
+    look(1, 0, 0);
+    assertThat(changed()).as("nearly as near is not enough to change").isEmpty();
+    replace("Late", "Spare");
+    look(1, 0, 0);
+    look(1, 0, 0);
+    assertThat(changed()).as("what came is none of the objects").isEmpty();
+  }
+
+  @Test
+  void onlyWhatHasChangedIsMeasuredAnew() throws IOException {
+    String box = "<Shape><Box size='.5 .5 .5'/></Shape>";
+    String spare = "<Switch whichChoice='-1'><Group DEF='Spare'>" + box + "</Group></Switch>";
+    String left = LEFT.replaceFirst(box, "<Group DEF='Inner'/>" + box);
+    open("triangles:1400", FLOOR, left, RIGHT, "<Group DEF='Late'/>", spare);
+    look(-2, 0, 0);
+    VersionBudget budget = walk.budget().orElseThrow();
+    assertThat(budget.measured()).isEqualTo(2);
+    replace("Late", "Spare");
+    look(-2, 0, 0);
+    assertThat(budget.measured()).as("something else came").isZero();
+    replace("Inner", "Spare");
+    look(-2, 0, 0);
+    assertThat(budget.measured()).as("one of the versions has another shape").isEqualTo(1);
+    assertThat(changed()).isEqualTo(Map.of("Left", 0));
+    look(4, 0, 0);
+    assertThat(changed()).isEqualTo(Map.of("Left", 1, "Right", 0));
+  }
+
   @Test
   void whatIsInViewGetsTheTriangles() throws IOException {
     open("triangles:1400", FLOOR, LEFT, object("Behind", 0, 3, "kitchen", "hall"));
@@ -185,6 +228,22 @@ class VersionBudgetTest {
               assertThat(problem.message())
                   .startsWith("the budget of 30 triangles is less than the 36 of the scene");
             });
+  }
+
+  @Test
+  void objectsInOtherLayersAreLeftAsTheyAreWhichIsTold() throws IOException {
+    String layer = "<LayerSet activeLayer='0' order='0 1'><Layer>" + RIGHT + "</Layer></LayerSet>";
+    open("triangles:5000", FLOOR, LEFT, layer);
+    look(0, 0, 0);
+    look(1, 0, 0);
+    assertThat(changed()).isEqualTo(Map.of("Left", 0));
+    assertThat(problems)
+        .filteredOn(problem -> problem.message().contains("layer"))
+        .singleElement()
+        .satisfies(
+            problem ->
+                assertThat(problem.message())
+                    .contains("\"Right\" is in a layer that is not the active one"));
   }
 
   @Test

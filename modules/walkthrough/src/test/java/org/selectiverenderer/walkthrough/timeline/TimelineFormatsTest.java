@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.selectiverenderer.control.ControlEvent;
+import org.selectiverenderer.control.SwitchVisibility;
 import org.selectiverenderer.schema.Quality;
 
 class TimelineFormatsTest {
@@ -68,6 +70,55 @@ class TimelineFormatsTest {
         .isEqualTo(
             "{\"t\":2.0,\"event\":\"field\",\"object\":\"Sofa\",\"quality\":\"textures\","
                 + "\"field\":\"T.url\",\"from\":-1,\"to\":1,\"schema\":\"A\"}");
+  }
+
+  @Test
+  void whatIsSeenOfAFieldIsToldAsOfASwitch() {
+    TimelineEvent seen =
+        told(
+            2,
+            new ControlEvent.FieldChange(
+                0,
+                "Sofa",
+                Quality.TEXTURES,
+                "T.url",
+                0,
+                1,
+                "A",
+                Optional.of(new SwitchVisibility(true, 812.4, 3.2))));
+    assertThat(new TimelineText(true).line(seen))
+        .isEqualTo(
+            "   2.000 s  field   Sofa: textures of T.url level 0 -> 1 (A), 812 pixels seen, 3"
+                + " degrees/s");
+    assertThat(text.line(seen)).endsWith("level 0 -> 1 (A)");
+  }
+
+  @Test
+  void theEndSumsTheLevelsOfFields() {
+    TimelineEvent end =
+        new TimelineEvent.End(
+            5,
+            301,
+            new TimelineEvent.PolygonSpan(1, 1, 1),
+            Map.of(),
+            List.of(
+                new QualityLevels(
+                    Quality.TEXTURES,
+                    2,
+                    List.of(
+                        new QualityLevels.Level(0, 7.5, 1), new QualityLevels.Level(1, 2.5, 1))),
+                new QualityLevels(
+                    Quality.LIGHT, 1, List.of(new QualityLevels.Level(-1, 5, 1)))));
+    assertThat(text.line(end))
+        .isEqualTo(
+            "   5.000 s  end     301 frames; 1 polygons at the start, 1 at the end, 1 at most;"
+                + " textures of 2 fields: level 0 for 75 % of the time (1 at the end), level 1 for"
+                + " 25 % (1); light of 1 field: no level for 100 % of the time (1 at the end)");
+    assertThat(json.line(end))
+        .endsWith(
+            "\"qualities\":{\"textures\":{\"fields\":2,\"levels\":["
+                + "{\"level\":0,\"seconds\":7.5,\"end\":1},{\"level\":1,\"seconds\":2.5,\"end\":1}]},"
+                + "\"light\":{\"fields\":1,\"levels\":[{\"level\":-1,\"seconds\":5.0,\"end\":1}]}}}");
   }
 
   @Test

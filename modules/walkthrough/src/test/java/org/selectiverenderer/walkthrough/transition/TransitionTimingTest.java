@@ -286,6 +286,38 @@ class TransitionTimingTest {
     assertThat(walk.world().instances().fades().versions()).isEmpty();
   }
 
+  /** A layer before that of the viewer, whose own viewpoint is 10 m before its origin. */
+  private static final String LAYERED =
+      "<LayerSet activeLayer='0' order='0 1'><Layer>" + OBJECT + "</Layer></LayerSet>";
+
+  @Test
+  void anObjectInAnotherLayerIsSeenFromThere() throws IOException {
+    open(LAYERED, UNSEEN);
+    frame(5, 180);
+    frame(0, 180);
+    frame(0, 90);
+    assertThat(choices()).as("the viewer does not turn in that layer").isEmpty();
+    walk.close();
+    open(LAYERED, SwitchTransition.AT_ONCE);
+    frame(5, 180);
+    frame(0, 180);
+    double side = 1 / 14.5 / (2 * Math.tan(Math.PI / 8)) * 768;
+    assertThat(seen().visible()).isTrue();
+    assertThat(seen().pixels()).isCloseTo(side * side, within(side * side * 0.3));
+  }
+
+  @Test
+  void anObjectInAnotherLayerFadesThere() throws IOException {
+    open(LAYERED, new SwitchTransition.Fade(2000));
+    frame(5, 0);
+    frame(0, 0);
+    assertThat(walk.world().instances().fades().versions()).isEmpty();
+    assertThat(walk.world().layers().get(1).instances().fades().versions()).hasSize(2);
+    frame(0, 0);
+    assertThat(walk.world().layers().get(1).instances().fades().versions().get(1).threshold())
+        .isEqualTo(0.5);
+  }
+
   @Test
   void thousandsOfObjectsAreLookedAtInTurn() throws IOException {
     StringBuilder many = new StringBuilder(wall(0));

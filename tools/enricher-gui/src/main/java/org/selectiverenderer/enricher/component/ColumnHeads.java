@@ -1,11 +1,15 @@
 package org.selectiverenderer.enricher.component;
 
+import com.formdev.flatlaf.util.UIScale;
 import javax.swing.JTable;
 import javax.swing.table.TableCellRenderer;
 import javax.swing.table.TableColumn;
 
 /** Columns of a table that are wide enough for their heads, in any language. */
 public final class ColumnHeads {
+  /** Room beside a head, as letters of a scaled screen are a bit wider than they measure. */
+  private static final int PADDING = 6;
+
   private ColumnHeads() {}
 
   /** Makes no column narrower than its head; the wishes for wider ones stay. */
@@ -19,7 +23,7 @@ public final class ColumnHeads {
                       table, column.getHeaderValue(), false, false, -1, i)
                   .getPreferredSize()
                   .width
-              + 2 * table.getColumnModel().getColumnMargin();
+              + UIScale.scale(PADDING);
       column.setMinWidth(Math.max(column.getMinWidth(), width));
       column.setPreferredWidth(Math.max(column.getPreferredWidth(), width));
     }

@@ -45,7 +45,7 @@ final class QualitiesForm {
   private final List<QualityForm> fields = new ArrayList<>();
   private final JPanel list = new JPanel(new MigLayout("insets 0, wrap 1", "[grow,fill]"));
   private final JPanel panel =
-      new JPanel(new MigLayout("insets 0, wrap 3, hidemode 3", "[][grow,fill][]"));
+      new JPanel(new MigLayout("insets 0, wrap 2, hidemode 3", "[][grow,fill]"));
   private final FieldBinding ofVersions;
 
   QualitiesForm(EnricherSession session, EnrichedSwitch node) {
@@ -77,17 +77,17 @@ final class QualitiesForm {
     JLabel title = LabelFactory.of(Texts.of("quality.title"), versions);
     title.putClientProperty("FlatLaf.styleClass", "h4");
     JLabel versionsComplaint = LabelFactory.complaint();
-    panel.add(new JSeparator(), "spanx 3, growx");
-    panel.add(title, "spanx 3");
-    panel.add(LabelFactory.of(Texts.of("quality.versions"), versions));
-    panel.add(versions, "spanx 2, wmin 0");
-    panel.add(versionsComplaint, "spanx 3, wmin 0");
-    panel.add(list, "spanx 3, growx, wmin 0");
-    panel.add(LabelFactory.of(Texts.of("quality.target"), target), "spanx 3, gaptop 8");
-    panel.add(target, "spanx 2, growx, wmin 0");
-    panel.add(add);
-    panel.add(complaint, "spanx 3, wmin 0");
-    panel.add(make, "spanx 3, growx 0");
+    panel.add(new JSeparator(), "span, growx");
+    panel.add(title, "span");
+    panel.add(LabelFactory.of(Texts.of("quality.versions"), versions), "wmin 0");
+    panel.add(versions, "wmin 0");
+    panel.add(versionsComplaint, "span, wmin 0");
+    panel.add(list, "span, growx, wmin 0");
+    panel.add(LabelFactory.of(Texts.of("quality.target"), target), "span, wmin 0, gaptop 8");
+    panel.add(target, "split 2, span, growx, pushx, wmin 0");
+    panel.add(add, "growx 0");
+    panel.add(complaint, "span, wmin 0");
+    panel.add(make, "span, growx 0");
     ofVersions =
         FieldBinding.of(
             versions,

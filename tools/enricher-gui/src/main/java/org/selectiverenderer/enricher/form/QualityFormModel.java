@@ -3,6 +3,7 @@ package org.selectiverenderer.enricher.form;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 import org.selectiverenderer.authoring.Edit;
 import org.selectiverenderer.authoring.enrichment.ChoiceMetadata;
 import org.selectiverenderer.authoring.enrichment.EnrichedField;
@@ -130,7 +131,15 @@ final class QualityFormModel {
             now ->
                 of(level)
                     .flatMap(of -> targets().wrong(element, now.field().target(), of.values())))
-        .map(Remarks::shown);
+        .map(Remarks::shown)
+        .or(() -> twice(level));
+  }
+
+  private Optional<String> twice(int level) {
+    return IntStream.range(0, level)
+        .filter(before -> value(before).equals(value(level)))
+        .mapToObj(before -> Texts.of("quality.value.twice", String.valueOf(before + 1)))
+        .findFirst();
   }
 
   /** Returns the model of a level's consistency and schemas. */

@@ -73,7 +73,7 @@ public final class RatingsDialog extends JDialog {
         RatingsTableFactory.captioned(
             Mnemonics.label("ratings.caption.gaze"),
             RatingsTableFactory.gaze(new GazeTableModel(model)),
-            134,
+            142,
             8);
     setDefaultCloseOperation(DISPOSE_ON_CLOSE);
     JPanel content =
@@ -124,9 +124,9 @@ public final class RatingsDialog extends JDialog {
         new JSplitPane(
             JSplitPane.HORIZONTAL_SPLIT,
             RatingsTableFactory.captioned(
-                Mnemonics.label("ratings.caption.matches"), matches, 48, 14),
+                Mnemonics.label("ratings.caption.matches"), matches, 50, 14),
             RatingsTableFactory.captioned(
-                Mnemonics.label("ratings.caption.implied"), implied, 86, 14));
+                Mnemonics.label("ratings.caption.implied"), implied, 92, 14));
     split.setResizeWeight(0.4);
     split.setBorder(null);
     return split;

@@ -78,6 +78,8 @@ final class RatingsTableFactory {
 
     private static final int MOST_ROWS = 500;
 
+    private static final int PADDING = 3; // the gap between columns, and wider letters
+
     private final int letters;
 
     CompleteTable(TableModel model, int letters) {
@@ -105,7 +107,7 @@ final class RatingsTableFactory {
 
     private int needed(int row, int column) {
       return prepareRenderer(getCellRenderer(row, column), row, column).getPreferredSize().width
-          + getColumnModel().getColumnMargin();
+          + PADDING;
     }
 
     @Override

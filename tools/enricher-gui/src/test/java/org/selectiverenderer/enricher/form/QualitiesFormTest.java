@@ -6,6 +6,7 @@ import java.awt.Component;
 import java.awt.event.KeyEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
@@ -14,6 +15,8 @@ import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.ResourceLock;
+import org.junit.jupiter.api.parallel.Resources;
 import org.selectiverenderer.authoring.enrichment.EnrichedSwitch;
 import org.selectiverenderer.authoring.enrichment.QualityEdits;
 import org.selectiverenderer.enricher.EventThread;
@@ -50,6 +53,9 @@ class QualitiesFormTest {
         <Shape><Appearance><ImageTexture DEF='Wallpaper' url='"wall.png"'/></Appearance><Box/></Shape>
       </Scene></X3D>
       """;
+
+  /** The width of the form in a window of 800 pixels. */
+  private static final int NARROW = 270;
 
   private static final String VALUE = "Value of level 2 of quality 1";
 
@@ -124,6 +130,11 @@ class QualitiesFormTest {
       assertThat(undo(window)).isEqualTo("Add the quality textures to Switch_Bin");
       JTextComponent first = (JTextComponent) window.named("Value of level 1 of quality 2");
       assertThat(text(first)).isEqualTo("\"wall.png\"");
+      assertThat(outline(first)).isNull();
+      Component second = window.named("Value of level 2 of quality 2");
+      assertThat(outline(second)).isEqualTo("error");
+      assertThat(second.getAccessibleContext().getAccessibleDescription())
+          .isEqualTo("Level 1 has this value already: the two levels look the same");
       JComboBox<?> quality = (JComboBox<?>) window.named("Quality 2");
       assertThat(EventThread.get(() -> quality.getSelectedItem())).isEqualTo("textures");
       EventThread.edt(((AbstractButton) window.named("Remove quality 1"))::doClick);
@@ -162,6 +173,21 @@ class QualitiesFormTest {
         assertThat(EventThread.get(() -> schemas.getVisibleRect().width))
             .isEqualTo(schemas.getWidth());
       }
+    }
+  }
+
+  @Test
+  @ResourceLock(Resources.LOCALE)
+  void aNarrowGreekFormCutsNoControlOff() throws Exception {
+    Locale before = Locale.getDefault(Locale.Category.DISPLAY);
+    Locale.setDefault(Locale.Category.DISPLAY, Locale.forLanguageTag("el"));
+    try (FormWindowDriver window = open(false)) {
+      Component remove = window.named("Αφαίρεση της ποιότητας 1");
+      JComponent form = (JComponent) remove.getParent().getParent().getParent();
+      int least = EventThread.get(() -> form.getMinimumSize().width);
+      assertThat(least).isLessThanOrEqualTo(NARROW * form.getFont().getSize() / 13);
+    } finally {
+      Locale.setDefault(Locale.Category.DISPLAY, before);
     }
   }
 }
