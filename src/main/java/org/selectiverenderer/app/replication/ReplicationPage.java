@@ -1,49 +1,25 @@
 package org.selectiverenderer.app.replication;
 
+import static org.selectiverenderer.app.replication.HtmlPage.cell;
+import static org.selectiverenderer.app.replication.HtmlPage.good;
+import static org.selectiverenderer.app.replication.HtmlPage.off;
+import static org.selectiverenderer.app.replication.HtmlPage.words;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import org.selectiverenderer.base.markup.MarkupEscaper;
 import org.selectiverenderer.statistics.anova.Effect;
 import org.selectiverenderer.statistics.detection.ConfidenceThreshold;
 import org.selectiverenderer.statistics.detection.DetectionMeasure;
 import org.selectiverenderer.statistics.report.Provenance;
 
-/** Writes the page of a replication, which loads nothing else. */
+/** Says on a page what the thesis prints, beside what a replication counts and simulates. */
 final class ReplicationPage {
-  private static final String STYLE =
-      """
-      :root { color-scheme: light dark; --ink: #222; --faint: #555; --paper: #fff; --line: #ccc;
-        --good: #00664a; --off: #a04000; }
-      body { font: 15px/1.5 'DejaVu Sans', Verdana, sans-serif; color: var(--ink);
-        background: var(--paper); max-width: 74rem; margin: 2rem auto; padding: 0 1rem; }
-      p, ul { max-width: 62rem; }
-      h1 { font-size: 1.6rem; } h2 { font-size: 1.3rem; margin-top: 2.2rem;
-        border-bottom: 1px solid var(--line); } h3 { font-size: 1.05rem; }
-      table { border-collapse: collapse; margin: .8rem 0; font-size: 13px; }
-      th, td { padding: .22rem .5rem; text-align: right; vertical-align: top; }
-      th:first-child, td:first-child, td.words, th.words { text-align: left; }
-      thead th { border-top: 2px solid var(--ink); border-bottom: 1px solid var(--ink); }
-      tbody tr:last-child td { border-bottom: 2px solid var(--ink); }
-      td.off { color: var(--off); font-weight: bold; } td.good { color: var(--good); }
-      .wide { overflow-x: auto; } .note { font-size: 13px; color: var(--faint); }
-      figure { display: inline-block; margin: .4rem .8rem .4rem 0; } svg { max-width: 100%; height: auto; }
-      @media (prefers-color-scheme: dark) {
-        :root { --ink: #e6e6e6; --faint: #b4b4b4; --paper: #16181b; --line: #44484d; --good: #62d2ad;
-          --off: #ffa366; }
-        a { color: #8cc4ff; }
-        svg [fill="#ffffff"] { fill: #16181b; } svg [fill="#222222"] { fill: #e6e6e6; }
-        svg [fill="#5a5a5a"] { fill: #b4b4b4; } svg [fill="#dddddd"] { fill: #33373c; }
-      }
-      @media print { :root { --ink: #000; --paper: #fff; } body { max-width: none; font-size: 11px; }
-        table { font-size: 9px; } .wide { overflow: visible; } figure, tr { break-inside: avoid; } }
-      """;
-
   private final ReplicationFindings findings;
   private final ReplicationCharts charts = new ReplicationCharts();
-  private final StringBuilder out = new StringBuilder();
+  private final HtmlPage html = new HtmlPage("The thesis's study, made anew");
 
   private ReplicationPage(ReplicationFindings findings) {
     this.findings = findings;
@@ -67,20 +43,11 @@ final class ReplicationPage {
     page.scores(held);
     page.effects();
     page.limits();
-    return page.out.append("</body>\n</html>\n").toString();
+    return page.html.close();
   }
 
   private void head(Replication replication, Provenance provenance) {
-    String title = "The thesis's study, made anew";
-    out.append("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n")
-        .append("<meta name=\"viewport\" content=\"width=device-width\">\n<title>")
-        .append(title)
-        .append("</title>\n<style>\n")
-        .append(STYLE)
-        .append("</style>\n</head>\n<body>\n<h1>")
-        .append(title)
-        .append("</h1>\n");
-    paragraph(
+    html.paragraph(
         ("A. Zotos, A real time selective rendering algorithm based on spatial cognition, chapters 5"
                 + " and 6: what the thesis prints, beside what %s %s computes and simulates."
                 + " %d simulated participants, seed %d, %s%s.")
@@ -91,7 +58,7 @@ final class ReplicationPage {
                 replication.seed(),
                 replication.scene().getFileName(),
                 provenance.dated() ? ", " + provenance.date() : ""));
-    out.append(
+    html.markup(
         """
         <p>In this folder: the <a href="study/study.json">study</a> with its sessions (go on with
         <code>experiment status study</code>), its <a href="plan.html">plan of groups</a>, all
@@ -102,13 +69,13 @@ final class ReplicationPage {
   }
 
   private void summary() {
-    heading("How close");
-    table(
+    html.heading("How close");
+    html.table(
         List.of("results", "rest on", "reproduced"),
         ReplicationSummary.of(findings).stream()
             .map(line -> List.of(cell(line.about()), words(line.basis()), words(line.finding())))
             .toList());
-    paragraph(
+    html.paragraph(
         "Computed results say that the thesis's numbers follow from what it says of its objects and"
             + " its scores. Simulated results say only that plan, sessions, files and analysis carry"
             + " known means to the end: the participants have the printed means because they were"
@@ -116,9 +83,9 @@ final class ReplicationPage {
   }
 
   private void polygons() {
-    heading("Tables 3 to 5: polygons of what is active");
-    out.append("<figure>").append(charts.polygons(findings.polygons())).append("</figure>\n");
-    table(
+    html.heading("Tables 3 to 5: polygons of what is active");
+    html.figure(charts.polygons(findings.polygons()));
+    html.table(
         List.of("Table", "state", "printed", "counted", "difference", "why"),
         findings.polygons().stream()
             .map(
@@ -146,8 +113,8 @@ final class ReplicationPage {
   }
 
   private void kitchen() {
-    heading("Figs 92 to 98: analyses of variance of the kitchen");
-    paragraph(
+    html.heading("Figs 92 to 98: analyses of variance of the kitchen");
+    html.paragraph(
         "F of balanced groups depends on the data by their means, standard deviations and covariance"
             + " only. Data built with those of Figs 92 and 96, and with the covariance that the error"
             + " terms imply, go through the analysis of experiment analyse. Where the computed number is"
@@ -174,7 +141,7 @@ final class ReplicationPage {
           statistics.forEach(name -> cells.add(values.getOrDefault(name, cell(""))));
           rows.add(cells);
         });
-    table(
+    html.table(
         List.of(
             "figure",
             "measure",
@@ -188,7 +155,7 @@ final class ReplicationPage {
             "Hotelling",
             "Roy"),
         rows);
-    paragraph(
+    html.paragraph(
         String.format(
             Locale.ROOT,
             "The text to Fig 94 says F(2, 51) = 0.560. That is the mean square, %.3f; F is 2.317 in"
@@ -197,8 +164,8 @@ final class ReplicationPage {
   }
 
   private void scores(List<String> held) {
-    heading("Tables 6 to 11: d\u2032 and log \u03b2");
-    paragraph(
+    html.heading("Tables 6 to 11: d\u2032 and log \u03b2");
+    html.paragraph(
         "Means by condition for all answers: a bar where the thesis has them, a dot with its standard"
             + " error where the simulated participants have them.");
     List<String> areas =
@@ -207,29 +174,27 @@ final class ReplicationPage {
       for (DetectionMeasure measure :
           List.of(DetectionMeasure.D_PRIME, DetectionMeasure.LOG_BETA)) {
         String title = area + ", " + measure.symbol();
-        out.append("<figure>")
-            .append(
-                charts.means(
-                    title,
-                    findings.scores().stream()
-                        .filter(row -> row.row().area().equals(area))
-                        .filter(row -> !row.row().total() && row.measure() == measure)
-                        .filter(row -> row.level() == ConfidenceThreshold.ALL)
-                        .toList()))
-            .append("</figure>\n");
+        html.figure(
+            charts.means(
+                title,
+                findings.scores().stream()
+                    .filter(row -> row.row().area().equals(area))
+                    .filter(row -> !row.row().total() && row.measure() == measure)
+                    .filter(row -> row.level() == ConfidenceThreshold.ALL)
+                    .toList()));
       }
     }
     for (String area : areas) {
       area(area);
     }
-    paragraph(
+    html.paragraph(
         "Mean (standard deviation): printed / simulated. A simulated mean more than 2 standard errors"
             + " from print is marked. The standard deviations of all answers were fitted too; those of"
             + " the other levels follow from the model. Where print has less than counts of so few"
             + " objects scatter by themselves (inconsistent objects beside the sofa: 0.36), no"
             + " independent answers that are scored like this have it.");
     if (!held.isEmpty()) {
-      paragraph(
+      html.paragraph(
           "Nobody who says \u201cyes\u201d less often the more confidence is asked for has all printed means"
               + " of: "
               + String.join("; ", held)
@@ -252,7 +217,7 @@ final class ReplicationPage {
                           total.level().title(),
                           total.printed(),
                           total.mean())));
-      paragraph(
+      html.paragraph(
           "Misprints: the rows \u201ctotal\u201d are means of the three above them, cut off after two decimals,"
               + " but for: "
               + String.join("; ", totals)
@@ -264,7 +229,7 @@ final class ReplicationPage {
     List<ReplicationFindings.ScoreMean> own =
         findings.scores().stream().filter(row -> row.row().area().equals(area)).toList();
     ThesisTables.ScoreRow first = own.get(0).row();
-    out.append("<h3>Table ").append(first.table()).append(": ").append(area).append("</h3>\n");
+    html.tableTitle("Table " + first.table() + ": " + area);
     List<String> header = new ArrayList<>(List.of("objects", "condition"));
     for (ConfidenceThreshold level : ConfidenceThreshold.values()) {
       header.add("d\u2032, " + level.heading());
@@ -293,24 +258,21 @@ final class ReplicationPage {
       }
       rows.add(cells);
     }
-    table(header, rows);
+    html.table(header, rows);
     for (ThesisTables.ScoreRow row : printed) {
       long present =
           own.stream().filter(one -> one.row().equals(row)).findFirst().orElseThrow().present();
       if (row.total() && present != row.objects()) {
-        out.append("<p class=\"note\">")
-            .append(
-                MarkupEscaper.attribute(
-                    "%s: the table has O = %d, our list %d present objects"
-                        .formatted(row.type(), row.objects(), present)))
-            .append("</p>\n");
+        html.note(
+            "%s: the table has O = %d, our list %d present objects"
+                .formatted(row.type(), row.objects(), present));
       }
     }
   }
 
   private void effects() {
-    heading("Tests that the thesis tells");
-    table(
+    html.heading("Tests that the thesis tells");
+    html.table(
         List.of(
             "source",
             "area",
@@ -345,7 +307,7 @@ final class ReplicationPage {
                       words(PrintedTests.remark(printed)));
                 })
             .toList());
-    paragraph(
+    html.paragraph(
         "F of the simulated answers differs from print by chance, and because the tables print no"
             + " covariance between the types of objects: simulated participants answer about each type"
             + " independently, as the covariance near 0 in the kitchen suggests. The last column is"
@@ -354,8 +316,8 @@ final class ReplicationPage {
   }
 
   private void limits() {
-    heading("What this cannot say");
-    out.append(
+    html.heading("What this cannot say");
+    html.markup(
         """
         <ul>
         <li><b>Whether the thesis is right.</b> A simulation puts in what it gets out. Only people who see
@@ -376,45 +338,6 @@ final class ReplicationPage {
     return total.area()
         + ": "
         + (total.schemas().isEmpty() ? "all objects high" : total.schemas().replace("+", " + "));
-  }
-
-  private void heading(String text) {
-    out.append("<h2>").append(text).append("</h2>\n");
-  }
-
-  private void paragraph(String text) {
-    out.append("<p>").append(MarkupEscaper.attribute(text)).append("</p>\n");
-  }
-
-  private void table(List<String> header, List<List<String>> rows) {
-    out.append("<div class=\"wide\"><table>\n<thead><tr>");
-    for (int i = 0; i < header.size(); i++) {
-      boolean words = rows.get(0).get(i).contains("\"words\"");
-      out.append(words ? "<th class=\"words\">" : "<th>").append(header.get(i)).append("</th>");
-    }
-    out.append("</tr></thead>\n<tbody>\n");
-    for (List<String> row : rows) {
-      out.append("<tr>");
-      row.forEach(out::append);
-      out.append("</tr>\n");
-    }
-    out.append("</tbody>\n</table></div>\n");
-  }
-
-  private static String cell(String text) {
-    return "<td>" + MarkupEscaper.attribute(text) + "</td>";
-  }
-
-  private static String words(String text) {
-    return "<td class=\"words\">" + MarkupEscaper.attribute(text) + "</td>";
-  }
-
-  private static String good(String text) {
-    return "<td class=\"good\">" + MarkupEscaper.attribute(text) + "</td>";
-  }
-
-  private static String off(String text) {
-    return "<td class=\"off\">" + MarkupEscaper.attribute(text) + "</td>";
   }
 
   private static String grouped(long number) {

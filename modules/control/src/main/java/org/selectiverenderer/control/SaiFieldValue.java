@@ -3,6 +3,7 @@ package org.selectiverenderer.control;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.web3d.x3d.sai.MFDouble;
@@ -20,8 +21,14 @@ import org.web3d.x3d.sai.SFTime;
 import org.web3d.x3d.sai.X3DField;
 
 /** A value that can be written into one field, and compared with what the field has. */
-abstract class SaiFieldValue {
-  private SaiFieldValue() {}
+final class SaiFieldValue {
+  private final Runnable writer;
+  private final BooleanSupplier comparison;
+
+  private SaiFieldValue(Runnable writer, BooleanSupplier comparison) {
+    this.writer = writer;
+    this.comparison = comparison;
+  }
 
   /** Returns whether a field is of a type that has values here. */
   static boolean supports(X3DField field) {
@@ -41,15 +48,23 @@ abstract class SaiFieldValue {
   static Optional<SaiFieldValue> of(X3DField field, List<String> strings) {
     String text = String.join(" ", strings).strip();
     if (field instanceof SFBool truth) {
-      return text.equals("true") || text.equals("false")
-          ? Optional.of(new Truth(truth, text.equals("true")))
+      boolean value = text.equals("true");
+      return value || text.equals("false")
+          ? Optional.of(
+              new SaiFieldValue(() -> truth.setValue(value), () -> truth.getValue() == value))
           : Optional.empty();
     }
     if (field instanceof SFString string) {
-      return Optional.of(new Text(string, String.join(" ", strings)));
+      String value = String.join(" ", strings);
+      return Optional.of(
+          new SaiFieldValue(() -> string.setValue(value), () -> value.equals(string.getValue())));
     }
     if (field instanceof MFString texts) {
-      return Optional.of(new Texts(texts, strings));
+      String[] values = strings.toArray(String[]::new);
+      return Optional.of(
+          new SaiFieldValue(
+              () -> texts.setValue(values.length, values.clone()),
+              () -> Arrays.equals(strings(texts), values)));
     }
     Optional<NumberField> target = numbers(field);
     try {
@@ -57,17 +72,27 @@ abstract class SaiFieldValue {
           text.isEmpty()
               ? new double[0]
               : Arrays.stream(text.split("[\\s,]+")).mapToDouble(Double::parseDouble).toArray();
-      return target.filter(known -> known.accepts(values)).map(known -> new Numbers(known, values));
+      return target.filter(known -> known.accepts(values)).map(known -> known.valued(values));
     } catch (NumberFormatException e) {
       return Optional.empty();
     }
   }
 
   /** Writes the value into the field. */
-  abstract void write();
+  void write() {
+    writer.run();
+  }
 
   /** Returns whether the field has the value. */
-  abstract boolean isThere();
+  boolean isThere() {
+    return comparison.getAsBoolean();
+  }
+
+  private static String[] strings(MFString field) {
+    String[] strings = new String[field.getSize()];
+    field.getValue(strings);
+    return strings;
+  }
 
   private static Optional<NumberField> numbers(X3DField field) {
     if (field instanceof SFInt32 target) {
@@ -177,90 +202,17 @@ abstract class SaiFieldValue {
           && Arrays.stream(values).allMatch(Double::isFinite)
           && (!whole || Arrays.stream(values).allMatch(value -> value == (int) value));
     }
-  }
 
-  private static final class Truth extends SaiFieldValue {
-    private final SFBool field;
-    private final boolean value;
-
-    Truth(SFBool field, boolean value) {
-      this.field = field;
-      this.value = value;
+    SaiFieldValue valued(double[] values) {
+      return new SaiFieldValue(
+          () -> writer.accept(values.clone()), () -> equal(reader.get(), values));
     }
 
-    @Override
-    void write() {
-      field.setValue(value);
-    }
-
-    @Override
-    boolean isThere() {
-      return field.getValue() == value;
-    }
-  }
-
-  private static final class Text extends SaiFieldValue {
-    private final SFString field;
-    private final String value;
-
-    Text(SFString field, String value) {
-      this.field = field;
-      this.value = value;
-    }
-
-    @Override
-    void write() {
-      field.setValue(value);
-    }
-
-    @Override
-    boolean isThere() {
-      return value.equals(field.getValue());
-    }
-  }
-
-  private static final class Texts extends SaiFieldValue {
-    private final MFString field;
-    private final String[] values;
-
-    Texts(MFString field, List<String> values) {
-      this.field = field;
-      this.values = values.toArray(String[]::new);
-    }
-
-    @Override
-    void write() {
-      field.setValue(values.length, values.clone());
-    }
-
-    @Override
-    boolean isThere() {
-      String[] there = new String[field.getSize()];
-      field.getValue(there);
-      return Arrays.equals(there, values);
-    }
-  }
-
-  private static final class Numbers extends SaiFieldValue {
-    private final NumberField field;
-    private final double[] values;
-
-    Numbers(NumberField field, double[] values) {
-      this.field = field;
-      this.values = values;
-    }
-
-    @Override
-    void write() {
-      field.writer().accept(values.clone());
-    }
-
-    @Override
-    boolean isThere() {
-      double[] there = field.reader().get();
-      boolean same = there.length == values.length;
-      for (int i = 0; same && i < values.length; i++) {
-        same = (float) there[i] == (float) values[i];
+    /** Returns whether numbers are the same, to the precision of floats. */
+    private static boolean equal(double[] there, double[] wanted) {
+      boolean same = there.length == wanted.length;
+      for (int i = 0; same && i < wanted.length; i++) {
+        same = (float) there[i] == (float) wanted[i];
       }
       return same;
     }
