@@ -78,7 +78,7 @@ public final class QualityLevelsMaker {
             failed -> session.message(Remarks.of(failed)));
   }
 
-  /** Returns what is said of a problem: its place but of one with the whole object. */
+  /** Returns the message about a problem after its place; an error concerns the whole object. */
   private static String said(Problem problem) {
     SourceLocation at = problem.location();
     return problem.severity() == Problem.Severity.ERROR
