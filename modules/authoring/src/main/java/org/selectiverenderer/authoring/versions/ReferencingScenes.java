@@ -116,7 +116,7 @@ public final class ReferencingScenes {
     Set<String> names = new LinkedHashSet<>();
     names.add(String.valueOf(file.getFileName()));
     names.add(UrlRelativizer.between(own, file));
-    names.add(encoded.substring(encoded.lastIndexOf('/') + 1));
+    names.add(encoded.replaceFirst("/$", "").replaceFirst(".*/", ""));
     for (String name : List.copyOf(names)) {
       names.add(XmlAttributeEscaper.escaped(name, '"'));
       names.add(XmlAttributeEscaper.escaped(name, '\''));
