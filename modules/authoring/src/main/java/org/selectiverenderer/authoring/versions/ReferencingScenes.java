@@ -21,7 +21,8 @@ import org.selectiverenderer.x3d.write.XmlAttributeEscaper;
  * those in the folders of the scene that is read, of the one that is written, and of the file.
  *
  * <p>A scene counts that has the file's relative URL anywhere in its text, as does one that cannot
- * be read: with another name of a file nothing is lost, with another content a study may be.
+ * be read: with another name of a file nothing is lost, with another content a study may be. Hidden
+ * files do not count: the enricher runs a changed scene from a copy whose name begins with a point.
  */
 public final class ReferencingScenes {
   private static final List<String> ENDINGS =
@@ -71,7 +72,8 @@ public final class ReferencingScenes {
 
   private boolean isOtherScene(Path other, Path file) {
     String name = String.valueOf(other.getFileName()).toLowerCase(Locale.ROOT);
-    return ENDINGS.stream().anyMatch(name::endsWith)
+    return !name.startsWith(".")
+        && ENDINGS.stream().anyMatch(name::endsWith)
         && Files.isRegularFile(other)
         && !same(other, output)
         && !same(other, file);
