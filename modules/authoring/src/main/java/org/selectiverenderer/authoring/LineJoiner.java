@@ -3,9 +3,9 @@ package org.selectiverenderer.authoring;
 import java.util.List;
 
 /**
- * Joins lines of XML to a piece of a line that other elements share. Line breaks between elements
- * and the indentation go; those within a tag, a program, a comment or other text stay, as they keep
- * numbers apart and end the comments of programs.
+ * Joins lines of XML into text for a line on which other elements stand. It removes line breaks
+ * between elements, with the indentation, and keeps those within a tag, a program, a comment or
+ * other text, since they keep numbers apart and end the comments of programs.
  */
 final class LineJoiner {
   private static final String CDATA = "<![CDATA[";

@@ -159,7 +159,7 @@ final class SceneChoices {
     activation.noteShown(choice, choice.shown());
   }
 
-  /** Drops a choice that the scene has no more. */
+  /** Drops a choice that the scene no longer has. */
   void forget(ControlledChoice choice) {
     queue.forget(choice);
     activation.removeSwitch(choice);

@@ -1,9 +1,11 @@
 package org.selectiverenderer.export;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.authoring.MFStringParser;
 import org.selectiverenderer.authoring.SceneDocument;
@@ -30,6 +32,7 @@ final class ControlledFieldFinder {
   private final NodeCatalogue catalogue;
   private final ProblemCollector problems;
   private final FieldParser parser = new FieldParser();
+  private final Set<FieldReference> routed;
 
   /**
    * Makes a finder for a document's present state.
@@ -41,6 +44,7 @@ final class ControlledFieldFinder {
     this.document = enrichment.document();
     this.catalogue = catalogue;
     this.problems = problems;
+    this.routed = routed(document);
   }
 
   /** Returns the fields that are qualities of an object, in the order of its metadata. */
@@ -84,7 +88,7 @@ final class ControlledFieldFinder {
             levels,
             shown,
             present.filter(text -> shown < 0 && value(type.get(), text) != null),
-            routed(target),
+            routed.contains(target),
             location));
   }
 
@@ -145,22 +149,24 @@ final class ControlledFieldFinder {
                     .map(FieldDefinition::defaultText));
   }
 
-  private boolean routed(FieldReference target) {
-    boolean[] found = {false};
+  /** Returns the fields of the document that a ROUTE sets. */
+  private static Set<FieldReference> routed(SceneDocument document) {
+    Set<FieldReference> found = new HashSet<>();
     document
         .tree()
-        .orElseThrow()
-        .root()
-        .visit(
-            element ->
-                found[0] |=
-                    element.name().equals("ROUTE")
-                        && element.text("toNode").filter(target.node()::equals).isPresent()
-                        && element
-                            .text("toField")
-                            .map(name -> name.startsWith("set_") ? name.substring(4) : name)
-                            .filter(target.field()::equals)
-                            .isPresent());
-    return found[0];
+        .ifPresent(tree -> tree.root().visit(element -> target(element).ifPresent(found::add)));
+    return found;
+  }
+
+  /** Returns the field that an element sets if it is a ROUTE. */
+  private static Optional<FieldReference> target(DocumentElement element) {
+    if (!element.name().equals("ROUTE")) {
+      return Optional.empty();
+    }
+    Optional<String> field =
+        element.text("toField").map(name -> name.startsWith("set_") ? name.substring(4) : name);
+    return element
+        .text("toNode")
+        .flatMap(node -> field.map(name -> new FieldReference(node, name)));
   }
 }

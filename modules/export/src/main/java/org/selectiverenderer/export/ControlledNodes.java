@@ -20,9 +20,9 @@ import org.selectiverenderer.schema.SwitchSchemas;
 import org.selectiverenderer.x3d.catalogue.NodeCatalogue;
 
 /**
- * The enriched nodes of a scene, in its order, and the fields that are qualities of objects. The
- * choice of an object has the number of its place, the level of a field that of its place after
- * those of the objects.
+ * The enriched nodes of a scene, in its order, and the fields that are qualities of objects.
+ * Choices and levels are numbered: first the choices of the objects, in their order, then the
+ * levels of the fields.
  *
  * @param areas the ProximitySensors whose metadata name schemas
  * @param objects the Switches whose metadata describe versions
@@ -138,7 +138,7 @@ record ControlledNodes(
     return all;
   }
 
-  /** Returns what is drawn apart: each quality by itself. */
+  /** Returns the choices of which the condition random draws, each quality by itself. */
   List<Lot> lots() {
     List<SwitchSchemas> schemas = schemas();
     Map<Quality, List<Integer>> members = new EnumMap<>(Quality.class);

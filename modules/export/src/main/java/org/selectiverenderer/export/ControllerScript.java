@@ -115,11 +115,16 @@ final class ControllerScript {
 
   /** Returns the name of a level's value; one that ends with url is known to hold urls. */
   private static String level(int field, int level, ControlledField of) {
-    return "level%d_%d_%s".formatted(field, level, of.target().field());
+    return "level%d_%d_%s".formatted(field, level, identifier(of));
   }
 
   private static String begin(int field, ControlledField of) {
-    return "begin%d_%s".formatted(field, of.target().field());
+    return "begin%d_%s".formatted(field, identifier(of));
+  }
+
+  /** Returns the name of a field with characters of ECMAScript only, as X3D allows more. */
+  private static String identifier(ControlledField of) {
+    return of.target().field().replaceAll("[^A-Za-z0-9_]", "_");
   }
 
   private static void lists(

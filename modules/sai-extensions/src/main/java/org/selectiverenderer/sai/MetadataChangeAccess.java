@@ -12,10 +12,11 @@ import org.web3d.x3d.sai.X3DNode;
  */
 public interface MetadataChangeAccess {
   /**
-   * Registers a listener for the changes of a node's metadata: another metadata node; of its nodes
-   * at every depth the values, and the names except those of sets; another metadata node of the
-   * metadata node, and in that values and all names. Which nodes there are is looked up now: a
-   * listener that is called registers anew.
+   * Registers a listener for the changes of a node's metadata. It is called when the node gets
+   * another metadata node; when a value below that, at any depth, changes, or the name of a
+   * metadata node that is no set; and when the metadata node itself gets other metadata, or a value
+   * or name in these changes. The nodes that are there now are observed: a listener that is called
+   * registers anew. To be called on the browser's thread.
    *
    * @param listener is called on the browser's thread, like field listeners, with the time stamp in
    *     seconds

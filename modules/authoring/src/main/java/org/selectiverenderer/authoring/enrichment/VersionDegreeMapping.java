@@ -13,7 +13,7 @@ import org.selectiverenderer.schema.ConsistencyType;
  * spaced evenly (thesis 4.2.1, 7.2). Degrees in the metadata take precedence.
  */
 public final class VersionDegreeMapping {
-  /** Distances this near are equal, as those of rounded thirds to 1/2. */
+  /** Distances that differ by less are equal, since degrees are rounded to four decimals. */
   private static final double EQUAL = 2e-4;
 
   private VersionDegreeMapping() {}

@@ -148,7 +148,7 @@ final class TextureLevels {
       if (other.isPresent()) {
         problems.info(
             SourceLocation.of(to.toString()),
-            "%s shows the picture, so it stays as it is; the level gets another"
+            "%s shows the picture, so it stays as it is; the level gets a new one of another name"
                 .formatted(other.get()));
         originals.remove(to);
         continue;

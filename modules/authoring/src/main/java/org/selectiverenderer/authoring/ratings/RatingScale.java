@@ -94,8 +94,8 @@ public enum RatingScale {
   abstract ChoiceMetadata values(int version, List<ChoiceMetadata> choices);
 
   /**
-   * Fills in the degrees of versions that no rating chooses, where those that are chosen have a
-   * place among them.
+   * Fills in the missing degrees of versions that no rating chooses, where the degrees of the
+   * others form a scale.
    */
   abstract List<ChoiceMetadata> complete(List<ChoiceMetadata> choices);
 }

@@ -30,8 +30,8 @@ final class RoomPartSchemaResolver {
 
   /**
    * @param ratings whose schemas sensors get
-   * @param known all that is known of which objects belong to which schemas, more than is to be
-   *     written: the rooms of objects that count in parts only
+   * @param known ratings that tell which objects belong to which schemas, among them those of rooms
+   *     that are not written
    */
   RoomPartSchemaResolver(List<EnrichedSensor> sensors, Ratings ratings, Ratings known) {
     this.known = known;

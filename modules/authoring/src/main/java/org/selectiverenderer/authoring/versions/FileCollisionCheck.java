@@ -23,7 +23,7 @@ final class FileCollisionCheck {
   /**
    * A file that must not be overwritten.
    *
-   * @param shownBy the scene that shows the version; empty if the file is none of this object
+   * @param shownBy another scene that shows the file; empty if it holds no version of this object
    */
   record Collision(PlannedFile file, Optional<Path> shownBy) {}
 

@@ -12,23 +12,24 @@ import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.selectiverenderer.x3d.source.Gzip;
+import org.selectiverenderer.x3d.source.ReadLimits;
 import org.selectiverenderer.x3d.url.UrlRelativizer;
+import org.selectiverenderer.x3d.write.XmlAttributeEscaper;
 
 /**
  * Finds other scenes that show a generated file, which must then stay as it is. The scenes are
  * those in the folders of the scene that is read, of the one that is written, and of the file.
  *
  * <p>A scene counts that has the file's relative URL anywhere in its text, as does one that cannot
- * be read: with another name of a file nothing is lost, with another content a study may be.
+ * be read: with another name of a file nothing is lost, with another content a study may be. Hidden
+ * files do not count: the enricher runs a changed scene from a copy whose name begins with a point.
  */
 public final class ReferencingScenes {
   private static final List<String> ENDINGS =
       List.of(".x3d", ".x3dz", ".x3dv", ".x3dvz", ".wrl", ".wrz", ".json", ".html", ".xhtml");
 
-  /** Larger scenes count as showing the file. */
-  private static final long LIMIT = 1L << 28;
-
-  private static final Pattern PLAIN = Pattern.compile("[\\p{L}\\p{N}_./-]+");
+  /** URLs that are spelled in one way, but for their slashes. */
+  private static final Pattern PLAIN = Pattern.compile("[A-Za-z0-9_./-]+");
 
   private final Path scene;
   private final Path output;
@@ -71,7 +72,8 @@ public final class ReferencingScenes {
 
   private boolean isOtherScene(Path other, Path file) {
     String name = String.valueOf(other.getFileName()).toLowerCase(Locale.ROOT);
-    return ENDINGS.stream().anyMatch(name::endsWith)
+    return !name.startsWith(".")
+        && ENDINGS.stream().anyMatch(name::endsWith)
         && Files.isRegularFile(other)
         && !same(other, output)
         && !same(other, file);
@@ -87,19 +89,40 @@ public final class ReferencingScenes {
 
   private static boolean mentions(Path other, Path file) {
     try {
-      if (Files.size(other) > LIMIT) {
-        return true;
+      if (Files.size(other) > ReadLimits.standard().maxBytes()) {
+        return true; // nobody can read it
       }
       byte[] content = Files.readAllBytes(other);
       byte[] plain = Gzip.compressed(content) ? Gzip.unpacked(content) : content;
-      String url = UrlRelativizer.between(VersionFileNames.folder(other), file);
-      // Of a folder that scenes may spell in several ways only the file's name is looked for.
-      String sought = PLAIN.matcher(url).matches() ? url : String.valueOf(file.getFileName());
-      return new String(plain, StandardCharsets.ISO_8859_1)
-          .contains(
-              new String(sought.getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1));
+      String text = new String(plain, StandardCharsets.ISO_8859_1);
+      return spellings(VersionFileNames.folder(other), file).stream()
+          .map(url -> url.getBytes(StandardCharsets.UTF_8))
+          .anyMatch(url -> text.contains(new String(url, StandardCharsets.ISO_8859_1)));
     } catch (IOException e) {
       return true; // nobody knows
     }
+  }
+
+  /**
+   * Returns the spellings of a file's relative URL in scenes. Of one with other characters than
+   * plain ones only the file's name is looked for: raw, percent-encoded, or escaped as in XML.
+   */
+  private static Set<String> spellings(Path folder, Path file) {
+    String url = UrlRelativizer.between(folder, file);
+    if (PLAIN.matcher(url).matches()) {
+      // Backslashes are read as slashes, and JSON may escape these.
+      return new LinkedHashSet<>(List.of(url, url.replace("/", "\\"), url.replace("/", "\\/")));
+    }
+    Path own = VersionFileNames.folder(file);
+    String encoded = file.toAbsolutePath().normalize().toUri().getRawPath();
+    Set<String> names = new LinkedHashSet<>();
+    names.add(String.valueOf(file.getFileName()));
+    names.add(UrlRelativizer.between(own, file));
+    names.add(encoded.replaceFirst("/$", "").replaceFirst(".*/", ""));
+    for (String name : List.copyOf(names)) {
+      names.add(XmlAttributeEscaper.escaped(name, '"'));
+      names.add(XmlAttributeEscaper.escaped(name, '\''));
+    }
+    return names;
   }
 }

@@ -100,6 +100,21 @@ class VersionOutputTest extends VaseScene {
   }
 
   @Test
+  void aCopyThatSpellsItsUrlsWithBackslashesKeepsItsFiles() throws IOException {
+    Path scene = scene(SCENE);
+    make(scene, "Vase", HALF);
+    Files.writeString(
+        folder.resolve("copy.x3d"),
+        Files.readString(scene).replace("inlineNodes/", "inlineNodes\\"));
+    Map<Path, String> before = files();
+    before.remove(scene);
+
+    make(scene, "Vase", TENTH);
+
+    assertKept(before);
+  }
+
+  @Test
   void anotherFolderIsNotWrittenOverEither() throws IOException {
     Path scene = scene(SCENE);
     make(scene, "Vase", HALF);

@@ -1,8 +1,8 @@
 package org.selectiverenderer.browser.sai;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.util.LinkedHashSet;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.DoubleConsumer;
 import org.selectiverenderer.browser.scene.EventCascade;
 import org.selectiverenderer.browser.scene.Node;
@@ -28,7 +28,7 @@ final class MetadataTreeWatcher implements NodeObserver, Registration {
   private boolean closed;
 
   private MetadataTreeWatcher(
-      EventCascade cascade, NodeProxy owner, DoubleConsumer listener, List<Node> found, int inner) {
+      EventCascade cascade, NodeProxy owner, DoubleConsumer listener, Set<Node> found, int inner) {
     this.cascade = cascade;
     this.owner = owner;
     this.listener = listener;
@@ -41,7 +41,7 @@ final class MetadataTreeWatcher implements NodeObserver, Registration {
 
   /** Begins to observe; empty if a node is a prototype instance, with fields of other nodes. */
   static Optional<Registration> of(EventCascade cascade, NodeProxy owner, DoubleConsumer listener) {
-    List<Node> found = new ArrayList<>();
+    Set<Node> found = new LinkedHashSet<>();
     found.add(owner.node());
     int inner = 1;
     Node metadata = owner.node().node("metadata");
@@ -60,12 +60,9 @@ final class MetadataTreeWatcher implements NodeObserver, Registration {
     return Optional.of(new MetadataTreeWatcher(cascade, owner, listener, found, inner));
   }
 
-  private static void collect(Node metadata, List<Node> found) {
-    if (!found.contains(metadata)) {
-      found.add(metadata);
-      if (isSet(metadata)) {
-        metadata.nodes("value").forEach(child -> collect(child, found));
-      }
+  private static void collect(Node metadata, Set<Node> found) {
+    if (found.add(metadata) && isSet(metadata)) {
+      metadata.nodes("value").forEach(child -> collect(child, found));
     }
   }
 

@@ -10,8 +10,11 @@ public interface NodeObserver {
   void changed(Node node, int field);
 
   /**
-   * Is notified that a node in an observed one changes whose nodes were deferred: an observer that
-   * wants to hear of the nodes in it begins now to observe them, and hears of this change.
+   * Is called when a node changes that lies in an observed node and was made when it was first
+   * asked for ({@link Node#partsDeferred}). An observer that wants to hear of such nodes begins to
+   * observe them now, and hears of this change too.
+   *
+   * @param node the observed node
    */
   default void partChanges(Node node) {}
 }

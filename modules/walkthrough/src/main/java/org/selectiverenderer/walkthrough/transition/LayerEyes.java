@@ -11,7 +11,7 @@ import org.selectiverenderer.browser.camera.LayerCameraFactory;
 
 /** The layers of a world that are drawn, and the eyes that see each (X3D 4.0, 35.2). */
 final class LayerEyes {
-  /** Rays have no use for it. */
+  /** The depth range of the cameras; rays begin at its near end. */
   private static final DepthRange RANGE = new DepthRange(0.1, 1000);
 
   private final World world;

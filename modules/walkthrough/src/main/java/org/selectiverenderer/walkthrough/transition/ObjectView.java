@@ -12,7 +12,7 @@ import org.selectiverenderer.browser.collision.RayCaster;
 /**
  * The view of one eye on an object. First come rays through the part of the picture that the
  * version's boxes cover: the share that meets the object, times the part's pixels, is its pixels.
- * Where hardly any does, as with a thin or small object, points on its surface are asked.
+ * Where hardly any does, as with a thin or small object, rays go to points on its surface.
  */
 final class ObjectView {
   /** The number of rays through a part of the picture that has only a few pixels. */
@@ -22,8 +22,9 @@ final class ObjectView {
   private static final int ENOUGH = 4;
 
   /**
-   * The number of hits more than there were that is expected at most; of none of n rays, three (the
-   * "rule of three").
+   * The number of hits by which a count may be too small: where none of n rays hits, the share that
+   * would be hit is at most 3 / n with 95 % confidence (rule of three; Hanley and Lippman-Hand
+   * 1983).
    */
   private static final int UNSEEN = 3;
 

@@ -115,6 +115,7 @@ final class RatingsTableFactory {
       int row = rowAtPoint(event.getPoint());
       int column = columnAtPoint(event.getPoint());
       return row >= 0
+              && column >= 0
               && getValueAt(row, column) instanceof String text
               && needed(row, column) > getColumnModel().getColumn(column).getWidth()
           ? PlainText.of(text)

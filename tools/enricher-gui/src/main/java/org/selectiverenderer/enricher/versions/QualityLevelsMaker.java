@@ -5,7 +5,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Collectors;
 import org.selectiverenderer.authoring.EditRejectedException;
 import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.UndoableFileWrite;
@@ -78,7 +77,7 @@ public final class QualityLevelsMaker {
             failed -> session.message(Remarks.of(failed)));
   }
 
-  /** Returns what is said of a problem: its place but of one with the whole object. */
+  /** Returns the message about a problem after its place; an error concerns the whole object. */
   private static String said(Problem problem) {
     SourceLocation at = problem.location();
     return problem.severity() == Problem.Severity.ERROR
@@ -108,6 +107,7 @@ public final class QualityLevelsMaker {
                   .filter(file -> file.state() != PlannedFile.State.UNCHANGED)
                   .map(file -> new UndoableFileWrite(file.file(), file.content(), file.byHand()))
                   .toList());
+      List<String> pictures = written(plan);
       session.message(
           first
               .map(QualityLevelsMaker::said)
@@ -116,18 +116,19 @@ public final class QualityLevelsMaker {
                       Texts.of(
                           "versions.levels.made",
                           plan.object(),
-                          plan.files().size(),
-                          pictures(plan))));
+                          pictures.size(),
+                          String.join(", ", pictures))));
     } catch (EditRejectedException | IOException e) {
       session.message(Remarks.of(e));
     }
   }
 
-  /** The names of the pictures of a plan. */
-  private static String pictures(QualityVersionsEdit.Plan plan) {
+  /** Returns the names of the pictures that a plan writes, sorted. */
+  private static List<String> written(QualityVersionsEdit.Plan plan) {
     return plan.files().stream()
+        .filter(file -> file.state() != PlannedFile.State.UNCHANGED)
         .map(file -> String.valueOf(file.file().getFileName()))
         .sorted()
-        .collect(Collectors.joining(", "));
+        .toList();
   }
 }
