@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.selectiverenderer.base.problem.ProblemCollector;
+import org.selectiverenderer.base.problem.SourceLocation;
 import org.selectiverenderer.cli.option.FormatOption;
 import org.selectiverenderer.command.CliCommand;
 import org.selectiverenderer.command.output.CommandException;
@@ -109,10 +110,19 @@ final class ExperimentViewCommand extends CliCommand {
 
   /** Returns the changes that the time line tells; else those of the session's journal, if any. */
   private Optional<SwitchSightings> switches(ProblemCollector problems) throws IOException {
-    return timeline != null
-        ? Optional.of(SwitchSightings.read(timeline, problems))
-        : RecordedSession.runOf(log, problems)
-            .map(RecordedRun::switches)
-            .filter(switches -> !switches.changes().isEmpty());
+    if (timeline != null) {
+      return Optional.of(SwitchSightings.read(timeline, problems));
+    }
+    try {
+      return RecordedSession.runOf(log, problems)
+          .map(RecordedRun::switches)
+          .filter(switches -> !switches.changes().isEmpty());
+    } catch (IOException e) {
+      problems.warning(
+          SourceLocation.of(log.toString()),
+          "the changes that were seen are left out, as the session's journal cannot be read: "
+              + e.getMessage());
+      return Optional.empty();
+    }
   }
 }

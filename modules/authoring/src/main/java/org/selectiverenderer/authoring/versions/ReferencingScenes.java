@@ -4,9 +4,11 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
@@ -31,8 +33,15 @@ public final class ReferencingScenes {
   /** URLs that are spelled in one way, but for their slashes. */
   private static final Pattern PLAIN = Pattern.compile("[A-Za-z0-9_./-]+");
 
+  /**
+   * Bytes of scenes' texts that are kept until the search ends, as several files are looked for.
+   */
+  private static final long MOST_KEPT = 64L << 20;
+
   private final Path scene;
   private final Path output;
+  private final Map<Path, String> texts = new HashMap<>();
+  private long kept;
 
   /**
    * Creates a search.
@@ -87,20 +96,33 @@ public final class ReferencingScenes {
     }
   }
 
-  private static boolean mentions(Path other, Path file) {
+  private boolean mentions(Path other, Path file) {
     try {
       if (Files.size(other) > ReadLimits.standard().maxBytes()) {
         return true; // nobody can read it
       }
-      byte[] content = Files.readAllBytes(other);
-      byte[] plain = Gzip.compressed(content) ? Gzip.unpacked(content) : content;
-      String text = new String(plain, StandardCharsets.ISO_8859_1);
+      String text = text(other);
       return spellings(VersionFileNames.folder(other), file).stream()
           .map(url -> url.getBytes(StandardCharsets.UTF_8))
           .anyMatch(url -> text.contains(new String(url, StandardCharsets.ISO_8859_1)));
     } catch (IOException e) {
       return true; // nobody knows
     }
+  }
+
+  /** Returns the bytes of a scene as characters of one byte each. */
+  private String text(Path other) throws IOException {
+    String known = texts.get(other);
+    if (known == null) {
+      byte[] content = Files.readAllBytes(other);
+      byte[] plain = Gzip.compressed(content) ? Gzip.unpacked(content) : content;
+      known = new String(plain, StandardCharsets.ISO_8859_1);
+      if (kept + known.length() <= MOST_KEPT) {
+        kept += known.length();
+        texts.put(other, known);
+      }
+    }
+    return known;
   }
 
   /**

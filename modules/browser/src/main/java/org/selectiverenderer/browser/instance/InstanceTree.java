@@ -384,19 +384,27 @@ public final class InstanceTree {
     return instance == null ? build(node, group, depth + 1) : instance;
   }
 
+  /**
+   * Notes at a group, or null, and at all above it that what is in them has become another.
+   *
+   * @return how many groups these are
+   */
+  int markRestructured(@Nullable GroupInstance group) {
+    int count = 0;
+    for (GroupInstance each = group; each != null; each = each.parent()) {
+      each.restructured = structureVersion + 1;
+      count++;
+    }
+    return count;
+  }
+
   /** Rebuilds the instances of a group's children; children that stay keep their instances. */
   void rebuild(GroupInstance group) {
     Map<Node, Deque<Instance>> before = new IdentityHashMap<>();
     for (Instance child : group.children) {
       before.computeIfAbsent(child.node(), node -> new ArrayDeque<>(1)).add(child);
     }
-    int depth = 0;
-    group.restructured = structureVersion + 1;
-    for (GroupInstance above = group.parent(); above != null; above = above.parent()) {
-      depth++;
-      above.restructured = structureVersion + 1;
-    }
-    group.children = children(group, depth, before);
+    group.children = children(group, markRestructured(group) - 1, before);
     before.values().forEach(gone -> gone.forEach(this::dispose));
     if (group.elsewhere()) { // The new content of an Inline may have another unit of length.
       group.moved(this);

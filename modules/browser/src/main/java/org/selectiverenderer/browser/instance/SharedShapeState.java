@@ -285,6 +285,7 @@ final class SharedShapeState implements NodeObserver {
     }
     List<SoundSourceNode> filmsBefore = films;
     ShapeReading before = reading;
+    int polygonsBefore = polygons;
     forget();
     observe();
     forEach(
@@ -295,6 +296,9 @@ final class SharedShapeState implements NodeObserver {
         });
     reading = ShapeReading.of(shape, geometry, tree.assets());
     lookAtShape();
+    if (polygons != polygonsBefore) {
+      forEach(instance -> tree.markRestructured(instance.parent()));
+    }
     if (reading.onScreen() != before.onScreen()
         || !films.equals(filmsBefore)
         || !reading.cubes().equals(before.cubes())) {
