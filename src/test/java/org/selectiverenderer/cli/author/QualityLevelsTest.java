@@ -81,6 +81,18 @@ class QualityLevelsTest {
   }
 
   @Test
+  void versionsByPolygonsOfAnObjectWithLevelsAreRefusedAsTheirFilesWouldLoseThem()
+      throws IOException {
+    write(SOFA);
+    versions("--object", "Sofa", "--texture-percent", "50", "--schemas", "Hall,Room");
+    String before = Files.readString(scene);
+    assertThat(versions("--object", "Sofa", "--polygons", "6")).isOne();
+    assertThat(err).contains("room.x3d:").contains("the field Sofa_Texture.url has levels here");
+    assertThat(scene).hasContent(before);
+    assertThat(folder.resolve("inlineNodes")).doesNotExist();
+  }
+
+  @Test
   void smallerPicturesAreWrittenBesideTheOriginalAndSchemasChooseThem() throws IOException {
     write(SOFA);
     byte[] before = Files.readAllBytes(scene);

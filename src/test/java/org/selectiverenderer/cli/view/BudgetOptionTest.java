@@ -40,6 +40,21 @@ class BudgetOptionTest {
         .contains(" of the scene with the smallest versions of all objects, which are shown");
   }
 
+  @Test
+  void aSceneWithoutObjectsToChooseFromIsTold() {
+    assertThat(
+            command.execute(
+                "simulate",
+                "scenes/hello.x3d",
+                "--path",
+                "scenes/paths/desk-visit.csv",
+                "--budget",
+                "triangles:1"))
+        .isZero();
+    assertThat(command.messages())
+        .contains("of the scene, in which no object has versions with metadata to choose from");
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',

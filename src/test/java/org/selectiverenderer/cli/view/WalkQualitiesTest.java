@@ -36,8 +36,8 @@ class WalkQualitiesTest extends CommandTestCase {
   void asText() throws IOException {
     assertThat(simulate())
         .contains(
-            "; textures of 1 field: level 0 for 75 % of the time (0 at the end), level 1 for 25 %"
-                + " (1); shading of 1 field: level 0 for 75 %");
+            "; textures of 1 field: level 0 for 75 % of the time (0 fields at the end), level 1"
+                + " for 25 % (1 field); shading of 1 field: level 0 for 75 %");
   }
 
   @Test
@@ -51,7 +51,13 @@ class WalkQualitiesTest extends CommandTestCase {
   @Test
   void aLevelThatNothingChangesLastsTheWholeWalk() throws IOException {
     assertThat(simulate("--quality", "textures=low"))
-        .contains("textures of 1 field: level 1 for 100 % of the time (1 at the end)");
+        .contains("textures of 1 field: level 1 for 100 % of the time (1 field at the end)");
+  }
+
+  @Test
+  void aLevelThatWaitsUntilTheEndIsTold() throws IOException {
+    assertThat(simulate("--switch", "unseen"))
+        .contains("; not shown, as it would have been seen: Jug_Texture.url");
   }
 
   @Test

@@ -81,13 +81,18 @@ final class ChoiceQueue {
     waiting.remove(one);
   }
 
-  /** Returns the choices that wait, by the names of their objects, in the order they came. */
+  /**
+   * Returns the choices that wait, in the order they came: versions by the names of their objects,
+   * levels by those of their fields, such as {@code Wood.url}.
+   */
   Map<String, Integer> waiting() {
     Map<String, Integer> choices = new LinkedHashMap<>();
     waiting.forEach(
         (one, wanted) -> {
           if (one instanceof VersionedObject object) {
             choices.put(object.name(), wanted.choice());
+          } else if (one instanceof ControlledField field) {
+            choices.put(field.target().toString(), wanted.choice());
           }
         });
     return choices;

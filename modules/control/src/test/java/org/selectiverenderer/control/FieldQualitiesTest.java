@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.selectiverenderer.control.ControlEvent.FieldChange;
@@ -18,6 +19,7 @@ import org.selectiverenderer.schema.QualityRule;
 import org.web3d.x3d.sai.MFString;
 import org.web3d.x3d.sai.SFBool;
 import org.web3d.x3d.sai.SFFloat;
+import org.web3d.x3d.sai.X3DNode;
 
 class FieldQualitiesTest {
   private static final String AREAS = ControlledSceneFixture.area("Room", 0, "kitchen", "hall");
@@ -59,6 +61,29 @@ class FieldQualitiesTest {
     String[] values = new String[url.getSize()];
     url.getValue(values);
     return List.of(values);
+  }
+
+  @Test
+  void aLevelThatMayNotBeShownYetWaitsByTheNameOfItsField() {
+    SwitchTiming never =
+        new SwitchTiming() {
+          @Override
+          public boolean mayShow(X3DNode node, int choice) {
+            return false;
+          }
+
+          @Override
+          public Optional<SwitchVisibility> shows(X3DNode node, int choice) {
+            return Optional.empty();
+          }
+        };
+    try (ControlledSceneFixture scene =
+        new ControlledSceneFixture(AREAS + object("Sofa", SOFA, TEXTURES))) {
+      scene.control(Settings.SELECTIVE, never);
+      scene.walkTo(0);
+      assertThat(url(scene)).containsExactly("s.png");
+      assertThat(scene.controller.waiting()).containsExactly(Map.entry("T.url", 1));
+    }
   }
 
   @Test

@@ -192,6 +192,7 @@ final class VersionsPlanner {
     List<PlannedFile> planned = planned(files, nodes, model, size, reduced);
     Optional<FileCollisionCheck.Collision> inTheWay = foreign.in(planned);
     if (site instanceof ObjectElements.Versioned
+        && !elsewhere()
         && inTheWay.isPresent()
         && inTheWay.get().shownBy().isEmpty()) {
       problems.error(

@@ -232,8 +232,11 @@ public final class VersionBudget {
           .problems()
           .info(
               SourceLocation.of(world.scene().url()),
-              ("the budget of %d triangles is less than the %d of the scene with the smallest "
-                      + "versions of all objects, which are shown")
+              (objects.isEmpty()
+                      ? "the budget of %d triangles is less than the %d of the scene, in which no"
+                          + " object has versions with metadata to choose from"
+                      : "the budget of %d triangles is less than the %d of the scene with the"
+                          + " smallest versions of all objects, which are shown")
                   .formatted(wanted, least));
     }
     return wanted;

@@ -28,8 +28,8 @@ public sealed interface TimelineEvent {
    *
    * @param frames number of frames stepped
    * @param polygons polygons of the whole scene with its current versions, visible or not
-   * @param waiting the choices that were wanted and could not be shown unseen, by the Switches'
-   *     names
+   * @param waiting the choices that were wanted and could not be shown unseen: versions by the
+   *     Switches' names, levels by the fields', such as {@code Wood.url}
    * @param qualities how long fields had which levels, for each quality that has fields
    */
   record End(

@@ -68,7 +68,8 @@ public final class TimelineText {
             String.format(Locale.ROOT, " for %.0f %%", 100 * level.seconds() / quality.seconds()));
         text.append(first ? " of the time" : "");
       }
-      text.append(" (").append(level.end()).append(first ? " at the end)" : ")");
+      text.append(" (").append(Pluralizer.of(level.end(), "field"));
+      text.append(first ? " at the end)" : ")");
       first = false;
     }
     return text.toString();

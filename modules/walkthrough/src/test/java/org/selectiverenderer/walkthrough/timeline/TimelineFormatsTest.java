@@ -111,8 +111,9 @@ class TimelineFormatsTest {
     assertThat(text.line(end))
         .isEqualTo(
             "   5.000 s  end     301 frames; 1 polygons at the start, 1 at the end, 1 at most;"
-                + " textures of 2 fields: level 0 for 75 % of the time (1 at the end), level 1 for"
-                + " 25 % (1); light of 1 field: no level for 100 % of the time (1 at the end)");
+                + " textures of 2 fields: level 0 for 75 % of the time (1 field at the end),"
+                + " level 1 for 25 % (1 field);"
+                + " light of 1 field: no level for 100 % of the time (1 field at the end)");
     assertThat(json.line(end))
         .endsWith(
             "\"qualities\":{\"textures\":{\"fields\":2,\"levels\":["
