@@ -293,14 +293,12 @@ public record StudyCheck(
     /** Loads scenes as sessions do, and returns the polygons of the views. */
     Map<String, Long> load(List<StudyView> views) {
       Map<String, Long> polygons = new LinkedHashMap<>();
-      Set<Path> loaded = new HashSet<>();
+      Set<Problem> known = new HashSet<>(); // Views of one scene share most.
       for (StudyView view : views.subList(0, Math.min(MOST_VIEWS, views.size()))) {
         List<Problem> own = new ArrayList<>();
         try (Walkthrough walk = SceneViewer.open(view, study.seed(), study.access(), own::add)) {
           polygons.put(view.title(), walk.polygons());
-          if (loaded.add(view.scene())) {
-            own.forEach(problems::add);
-          }
+          own.stream().filter(known::add).forEach(problems::add);
         } catch (IOException e) {
           tell(
               at(String.valueOf(view.scene().getFileName())),

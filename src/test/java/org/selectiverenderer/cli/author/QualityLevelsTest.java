@@ -292,13 +292,13 @@ class QualityLevelsTest {
     assertThat(run(simulate)).isOne();
     assertThat(err)
         .contains(
-            "no object of the scene has levels of textures, light yet, so --quality changes nothing"
-                + " there; no object is enriched");
+            "no object of the scene has levels of textures, light yet, so setting them changes nothing;"
+                + " no object is enriched");
 
     versions("--object", "Sofa", "--texture-percent", "50", "--schemas", "Hall,Room");
     assertThat(run(simulate)).isOne();
     assertThat(err)
-        .contains("levels of light yet, so --quality changes nothing there; the scene has textures")
+        .contains("levels of light yet, so setting them changes nothing; the scene has textures")
         .containsOnlyOnce("changes nothing");
     simulate[simulate.length - 1] = "textures=low";
     run(simulate);

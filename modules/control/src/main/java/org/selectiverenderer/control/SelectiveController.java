@@ -225,7 +225,7 @@ public final class SelectiveController implements AutoCloseable {
     return idle.isEmpty()
         ? Optional.empty()
         : Optional.of(
-            "no object of the scene has levels of %s yet, so --quality changes nothing there; %s"
+            "no object of the scene has levels of %s yet, so setting them changes nothing; %s"
                 .formatted(
                     idle,
                     found.isEmpty()

@@ -128,7 +128,8 @@ final class CrossFileReferences {
     if (!shared && (used.equals(def) || names.contains(used))) {
       return "'" + used + "' is used here (USE)";
     }
-    if (element.name().equals("MetadataString") && element.text("name").orElse("").equals("field")) {
+    if (element.name().equals("MetadataString")
+        && element.text("name").orElse("").equals("field")) {
       // Levels of a field, written by versions --texture-percent and --shading or the enricher.
       String field = element.text("value").orElse("").replace("\"", "").strip();
       if (names.stream().anyMatch(name -> field.startsWith(name + "."))) {
