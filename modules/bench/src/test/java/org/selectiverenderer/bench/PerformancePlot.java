@@ -28,7 +28,7 @@ enum PerformancePlot {
   STREET_LOAD(
       Form.CURVES,
       "Until a street is drawn",
-      "this program from the start of reading, others from that of the process",
+      "from the start of the process",
       "apartments",
       "seconds"),
   STREET_MEMORY(
