@@ -13,7 +13,7 @@ final class LineJoiner {
 
   private final StringBuilder joined = new StringBuilder();
 
-  /** What the construct ends with that is open at the end of the text so far; empty if none is. */
+  /** Holds what ends the construct that is open at the end of the text so far; empty if none is. */
   private String end = "";
 
   private LineJoiner() {}

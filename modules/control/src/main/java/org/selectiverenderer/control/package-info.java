@@ -16,6 +16,10 @@
  * schema}, {@code org.web3d.x3d.sai}, and {@code sai} for what a browser may offer beyond it; loads
  * no AWT and no GL.
  *
+ * <p>{@code SceneController} follows a scene: it finds areas and objects and listens to them.
+ * {@code SceneChoices} decides what the objects show; what may not be shown yet waits in {@code
+ * ChoiceQueue}.
+ *
  * <p>A street of copies of one file has tens of thousands of objects. So metadata are read once by
  * each object, what identical metadata say is found once ({@code SchemaCache}), and a browser that
  * tells the names of nodes is asked for those of areas and objects alone.

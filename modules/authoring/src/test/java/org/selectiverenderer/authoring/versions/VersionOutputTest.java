@@ -12,7 +12,7 @@ import org.selectiverenderer.authoring.SceneDocument;
 import org.selectiverenderer.authoring.file.DocumentFile;
 import org.selectiverenderer.models.simplify.SimplificationTarget;
 
-/** What another scene shows stays as it is when versions are written for one more. */
+/** Files that another scene shows stay as they are when versions are written for one more. */
 class VersionOutputTest extends VaseScene {
   private static final SimplificationTarget HALF = new SimplificationTarget.VertexPercent(50);
   private static final SimplificationTarget TENTH = new SimplificationTarget.VertexPercent(10);

@@ -7,6 +7,10 @@
  * org.selectiverenderer.browser.loading.FrameBudgetQueue} puts them into the scene, a limited
  * amount per frame.
  *
+ * <p>The nodes of each Inline are its own. But of a file that is inlined again, the nodes in its
+ * Shapes are only made when somebody asks for one ({@code DeferredParts}), as a street of copies
+ * would else have millions that nobody looks at.
+ *
  * <p><b>Own decoders.</b> The readers of TwelveMonkeys ImageIO 3.12.0 (640 kB for TGA, DDS and
  * JPEG) were compared with this package's on the images of its tests, and not taken. Its DDS reader
  * gives one face of a cube map and one slice of a volume, reads the alpha of a DXT3 block

@@ -13,7 +13,7 @@ import org.selectiverenderer.browser.scene.Node;
 import org.selectiverenderer.geometry.BoundingBox;
 
 /**
- * What the versions of an object cost, and how large it is in each of its places.
+ * Tells what the versions of an object cost, and how large it is in each of its places.
  *
  * @param instances of its Switch
  * @param costs triangles of each version, in all places together

@@ -12,7 +12,7 @@ import org.selectiverenderer.browser.collision.RayCaster;
 /**
  * The view of one eye on an object. First come rays through the part of the picture that the
  * version's boxes cover: the share that meets the object, times the part's pixels, is its pixels.
- * Where hardly any does, as with a thin or small object, rays go to points on its surface.
+ * Where hardly any ray meets it, as with a thin or small object, rays go to points on its surface.
  */
 final class ObjectView {
   /** The number of rays through a part of the picture that has only a few pixels. */
